@@ -1,0 +1,57 @@
+/* What both backends take and give: settings, counters, and bands of finished pixels.
+ * A backend renders rows from the top and hands them on as they are done, so that a picture larger than
+ * the memory can be written. Floor 2. */
+#ifndef RECTRAY_RENDER_H
+#define RECTRAY_RENDER_H
+
+#include "error.h"
+
+#include <stdint.h>
+
+typedef enum Backend { BACKEND_OPENCL, BACKEND_REFERENCE } Backend;
+typedef enum Precision { PRECISION_FLOAT, PRECISION_DOUBLE } Precision;
+typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH } AccelKind;
+
+typedef struct RenderSettings {
+    Precision precision; /* of the kernel; the reference is always double */
+    AccelKind accel;
+    int threads;         /* 0: one per processor */
+    int device;          /* number in the list of `rectray devices`; -1: the default */
+    int lanes;           /* rays per work-item: 1, 4, 8 or 16; 0: what suits the device */
+} RenderSettings;
+
+typedef struct RayCounts {
+    uint64_t primary, shadow, reflection;
+} RayCounts;
+
+/* What a backend measured; zero where it has nothing to tell. Times are milliseconds of wall clock. */
+typedef struct RenderReport {
+    double build_ms;    /* acceleration structures */
+    double upload_ms;
+    double device_ms;   /* finding and opening the device */
+    double compile_ms;  /* building the kernel */
+    double trace_ms;
+    double readback_ms;
+    RayCounts rays;
+    uint64_t box_tests, face_tests;
+    uint64_t skipped_light_behind; /* shadow rays not cast since N.L <= 0 */
+    int lanes, threads;
+    AccelKind accel;         /* the one used */
+    char device[128];
+    char build_options[256];
+} RenderReport;
+
+/* Receives finished rows: rgb holds rows * columns * 3 bytes. Bands come from the top, without gaps. `so_far` tells what
+ * the backend has done up to this band. Returns false, with the error filled, to stop the rendering. */
+typedef struct BandSink {
+    bool (*band)(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far, Error *error);
+    void *user;
+} BandSink;
+
+/* One intersection, for `cast`: face is an index into Scene.faces, -1 for a miss. */
+typedef struct CastHit {
+    int face;
+    double t;
+} CastHit;
+
+#endif
