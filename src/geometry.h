@@ -54,7 +54,7 @@ typedef struct FaceTest {
     int outside_edge;      /* the first edge whose sign contradicts an earlier one's; -1 where none does */
 } FaceTest;
 
-/* Tests a ray: a hit has t > 0 and t <= limit (INFINITY: no limit). With `complete` the edges are evaluated for every
+/* Tests a ray: a hit has t > 0 and t <= limit (HUGE_VAL: no limit). With `complete` the edges are evaluated for every
  * face whose plane is hit, else only where the verdict needs them.
  * The edge signs are those of det(R, v[k] - O, v[k+1] - O) = (N.R) dot(N, cross(e, c)) for P = O + t R in the plane, the
  * signed volume of Moeller and Trumbore 1997 section 2.2 / Shewchuk 1997, which needs no hit point. */

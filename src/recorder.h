@@ -38,7 +38,7 @@ typedef struct Event {
     EventKind kind;
     union {
         struct { int column, row, i, j; Vec3 c, q, r; } sample; /* C, Q, R */
-        struct { int face; FaceTest test; double nearest_t; } face; /* nearest_t: the nearest before this face, INFINITY if none */
+        struct { int face; FaceTest test; double nearest_t; } face; /* nearest_t: the nearest before this face, HUGE_VAL if none */
         struct { int node; int faces; int level; bool visited; } node; /* faces: in a leaf, 0 in an inner node */
         struct { int face; double t; Vec3 point, normal, shifted; int step; } hit; /* normal turned to the ray; step: 0 for the first hit */
         struct { Vec3 background, weight_times_background; double weight; } miss;

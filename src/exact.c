@@ -1,0 +1,100 @@
+/* Signs without rounding: the exact sign of a 3x3 determinant, by floating-point expansions.
+ * The sum is kept as doubles of growing magnitude that do not overlap, so that its sign is the last one's. */
+#include "exact.h"
+
+/* 6 products of three pairs, each product of three doubles being 4 doubles long. */
+enum { MAX_TERMS = 6 * 8 * 4 };
+
+typedef struct Expansion {
+    double terms[MAX_TERMS]; /* increasing magnitude, none zero */
+    int count;
+} Expansion;
+
+typedef struct Pair {
+    double high, low; /* high + low exactly, high the rounded value */
+} Pair;
+
+/* Knuth's TwoSum (Shewchuk 1997, theorem 7). */
+static Pair two_sum(double a, double b)
+{
+    double sum = a + b;
+    double b_seen = sum - a;
+    double a_seen = sum - b_seen;
+    return (Pair){sum, (a - a_seen) + (b - b_seen)};
+}
+
+/* Dekker's split into two halves of 26 bits (Shewchuk 1997, theorem 17). */
+static Pair split(double a)
+{
+    double c = 134217729.0 * a; /* 2^27 + 1 */
+    double high = c - (c - a);
+    return (Pair){high, a - high};
+}
+
+/* Dekker's product (Shewchuk 1997, theorem 18); fma would do it in one step but is slow where the processor lacks it. */
+static Pair two_product(double a, double b)
+{
+    double product = a * b;
+    Pair x = split(a), y = split(b);
+    double error = ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low;
+    return (Pair){product, error};
+}
+
+/* Adds one double (Shewchuk 1997, GROW-EXPANSION, theorem 10), leaving out zero terms. */
+static void expansion_add(Expansion *e, double value)
+{
+    int kept = 0;
+    for (int i = 0; i < e->count; i++) {
+        Pair s = two_sum(value, e->terms[i]);
+        value = s.high;
+        if (s.low != 0)
+            e->terms[kept++] = s.low;
+    }
+    if (value != 0)
+        e->terms[kept++] = value;
+    e->count = kept;
+}
+
+static void expansion_add_product(Expansion *e, double a, double b, double c)
+{
+    if (a == 0 || b == 0 || c == 0)
+        return;
+    Pair ab = two_product(a, b);
+    Pair low = two_product(ab.low, c), high = two_product(ab.high, c);
+    expansion_add(e, low.low);
+    expansion_add(e, low.high);
+    expansion_add(e, high.low);
+    expansion_add(e, high.high);
+}
+
+/* Adds sign * a b c, each factor a pair. */
+static void expansion_add_pairs(Expansion *e, double sign, Pair a, Pair b, Pair c)
+{
+    for (int i = 0; i < 8; i++)
+        expansion_add_product(e, sign * (i & 1 ? a.high : a.low), i & 2 ? b.high : b.low, i & 4 ? c.high : c.low);
+}
+
+ExactVec3 exact_difference(Vec3 a, Vec3 b)
+{
+    Pair x = two_sum(a.x, -b.x), y = two_sum(a.y, -b.y), z = two_sum(a.z, -b.z);
+    return (ExactVec3){vec3(x.high, y.high, z.high), vec3(x.low, y.low, z.low)};
+}
+
+ExactVec3 exact_vec3(Vec3 a) { return (ExactVec3){a, vec3(0, 0, 0)}; }
+
+int exact_determinant_sign(ExactVec3 a, ExactVec3 b, ExactVec3 c)
+{
+    Pair ax = {a.high.x, a.low.x}, ay = {a.high.y, a.low.y}, az = {a.high.z, a.low.z};
+    Pair bx = {b.high.x, b.low.x}, by = {b.high.y, b.low.y}, bz = {b.high.z, b.low.z};
+    Pair cx = {c.high.x, c.low.x}, cy = {c.high.y, c.low.y}, cz = {c.high.z, c.low.z};
+    Expansion e = {.count = 0};
+    expansion_add_pairs(&e, +1, ax, by, cz);
+    expansion_add_pairs(&e, -1, ax, bz, cy);
+    expansion_add_pairs(&e, +1, ay, bz, cx);
+    expansion_add_pairs(&e, -1, ay, bx, cz);
+    expansion_add_pairs(&e, +1, az, bx, cy);
+    expansion_add_pairs(&e, -1, az, by, cx);
+    if (e.count == 0)
+        return 0;
+    return e.terms[e.count - 1] > 0 ? 1 : -1;
+}

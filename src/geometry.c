@@ -1,0 +1,203 @@
+/* What the formulas of tracing say. docs/algorithm.md derives each one and proves its bounds.
+ * A value is computed in double; where it is closer to zero than its rounding error, exact.c decides its sign. */
+#include "geometry.h"
+
+#include "exact.h"
+
+#include <float.h>
+
+#define ROUNDING (DBL_EPSILON / 2) /* 2^-53: the relative error of one operation */
+
+static double sum_of_magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+
+View view_of(const Scene *scene)
+{
+    Vec3 forward = vec3_unit(vec3_sub(scene->camera.look_at, scene->camera.position));
+    Vec3 right = vec3_unit(vec3_cross(forward, scene->camera.up));
+    return (View){
+        .eye = scene->camera.position,
+        .forward = vec3_scale(scene->screen.distance, forward),
+        .right = right,
+        .up = vec3_cross(right, forward),
+        .width = scene->screen.width,
+        .height = screen_height(&scene->screen),
+        .columns = scene->screen.columns,
+        .rows = scene->screen.rows,
+        .grid = scene->grid,
+    };
+}
+
+Vec3 view_direction(const View *view, int column, int row, int i, int j)
+{
+    double x = ((column + (i + 0.5) / view->grid) / view->columns - 0.5) * view->width;
+    double y = (0.5 - (row + (j + 0.5) / view->grid) / view->rows) * view->height;
+    return vec3_add(vec3_add(view->forward, vec3_scale(x, view->right)), vec3_scale(y, view->up));
+}
+
+Vec3 face_vertex(const Face *face, int index)
+{
+    const float *v = face->vertices[index];
+    return vec3((double)v[0], (double)v[1], (double)v[2]);
+}
+
+/* a b - c d with an error of 1.5 ulp of the result, where plain arithmetic may cancel (Kahan's algorithm; Jeannerod, Louvet
+ * and Muller, "Further analysis of Kahan's algorithm", 2013, theorem 1.2). */
+static double difference_of_products(double a, double b, double c, double d)
+{
+    double cd = c * d;
+    double error = fma(-c, d, cd);
+    return fma(a, b, -cd) + error;
+}
+
+static Vec3 cross_accurate(Vec3 a, Vec3 b)
+{
+    return vec3(difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+                difference_of_products(a.x, b.y, a.y, b.x));
+}
+
+static ExactVec3 face_diagonal(const Face *face, int from, int to)
+{
+    return exact_difference(face_vertex(face, to), face_vertex(face, from));
+}
+
+Plane face_plane(const Face *face)
+{
+    ExactVec3 a = face_diagonal(face, 0, 2), b = face_diagonal(face, 1, 3);
+    Vec3 n = cross_accurate(a.high, b.high);
+    double length = vec3_length(n);
+    if (!(length > 0))
+        return (Plane){{0, 0, 0}, 0, 0};
+    Plane plane = {.normal = vec3(n.x / length, n.y / length, n.z / length), .error = 8 * ROUNDING};
+    /* The diagonals of floats are exact in double unless their exponents lie far apart. */
+    if (sum_of_magnitudes(a.low) + sum_of_magnitudes(b.low) > 0)
+        plane.error += 4 * ROUNDING * vec3_length(a.high) * vec3_length(b.high) / length;
+    plane.d = -vec3_dot(plane.normal, face_vertex(face, 0));
+    return plane;
+}
+
+/* `value`, or where its sign is not the exact one, the smallest number whose sign is. */
+static double with_sign(double value, int sign)
+{
+    if (sign == 0)
+        return 0;
+    if ((value > 0) - (value < 0) == sign)
+        return value;
+    return sign * DBL_MIN;
+}
+
+/* N.x, its sign exact. */
+static double normal_dot(const Face *face, const Plane *plane, ExactVec3 x)
+{
+    double value = vec3_dot(plane->normal, x.high);
+    double bound = (plane->error + 4 * ROUNDING) * sum_of_magnitudes(x.high);
+    if (fabs(value) > bound)
+        return value;
+    return with_sign(value, exact_determinant_sign(x, face_diagonal(face, 0, 2), face_diagonal(face, 1, 3)));
+}
+
+/* N.(point - v0) = N.point + D without the cancellation in D, its sign exact. */
+static double plane_distance(const Face *face, const Plane *plane, Vec3 point)
+{
+    return normal_dot(face, plane, exact_difference(point, face_vertex(face, 0)));
+}
+
+int plane_side(const Face *face, const Plane *plane, Vec3 point)
+{
+    double distance = plane_distance(face, plane, point);
+    return (distance > 0) - (distance < 0);
+}
+
+/* det(R, a - O, b - O), its sign exact. The bound is that of Shewchuk's orient3d (1997, section 4.3) with one
+ * more rounding for R. */
+static double edge_determinant(Vec3 origin, ExactVec3 r, Vec3 a, Vec3 b)
+{
+    Vec3 p = vec3_sub(a, origin), q = vec3_sub(b, origin), d = r.high;
+    double yz = p.y * q.z, zy = p.z * q.y, zx = p.z * q.x, xz = p.x * q.z, xy = p.x * q.y, yx = p.y * q.x;
+    double value = d.x * (yz - zy) + d.y * (zx - xz) + d.z * (xy - yx);
+    double magnitude = fabs(d.x) * (fabs(yz) + fabs(zy)) + fabs(d.y) * (fabs(zx) + fabs(xz)) +
+                       fabs(d.z) * (fabs(xy) + fabs(yx));
+    if (fabs(value) > 10 * ROUNDING * magnitude)
+        return value;
+    return with_sign(value, exact_determinant_sign(r, exact_difference(a, origin), exact_difference(b, origin)));
+}
+
+/* The inside test: fills the edges of the test and returns whether every sign says the same side. */
+static bool inside_edges(FaceTest *test, const Face *face, Vec3 origin, ExactVec3 r, bool complete)
+{
+    test->outside_edge = -1;
+    for (int k = 0; k < face->vertex_count; k++) {
+        Vec3 a = face_vertex(face, k), b = face_vertex(face, (k + 1) % face->vertex_count);
+        double determinant = edge_determinant(origin, r, a, b);
+        int sign = (determinant > 0) - (determinant < 0);
+        test->edge_value[k] = determinant / test->n_dot_r;
+        test->edge_sign[k] = test->n_dot_r < 0 ? -sign : sign;
+        test->edges = k + 1;
+        if (test->edge_sign[k] < 0 && test->outside_edge < 0)
+            test->outside_edge = k;
+        if (test->outside_edge >= 0 && !complete)
+            return false;
+    }
+    return test->outside_edge < 0;
+}
+
+FaceTest face_test(const Face *face, const Plane *plane, Ray ray, double limit, bool complete)
+{
+    FaceTest test = {.outside_edge = -1};
+    ExactVec3 r = exact_vec3(ray.direction);
+    test.n_dot_r = normal_dot(face, plane, r);
+    test.n_dot_o_plus_d = plane_distance(face, plane, ray.origin);
+
+    /* No hit if the ray is parallel to the plane, or so nearly that t overflows. */
+    test.t = -test.n_dot_o_plus_d / test.n_dot_r;
+    if (test.n_dot_r == 0 || !isfinite(test.t)) {
+        test.t = 0;
+        test.verdict = FACE_PARALLEL;
+        return test;
+    }
+    /* A quotient that underflows to 0 is still on the side that its signs say. */
+    bool ahead = test.n_dot_o_plus_d != 0 && (test.n_dot_o_plus_d < 0) == (test.n_dot_r > 0);
+    bool inside = (complete || (ahead && test.t <= limit)) && inside_edges(&test, face, ray.origin, r, complete);
+    if (!ahead)
+        test.verdict = FACE_BEHIND;
+    else if (face->front_only && test.n_dot_r > 0)
+        test.verdict = FACE_BACK;
+    else if (test.t > limit)
+        test.verdict = FACE_FARTHER;
+    else
+        test.verdict = inside ? FACE_INSIDE : FACE_OUTSIDE;
+    return test;
+}
+
+FaceTest face_test_segment(const Face *face, const Plane *plane, Vec3 from, Vec3 to, bool complete)
+{
+    FaceTest test = {.outside_edge = -1};
+    ExactVec3 r = exact_difference(to, from);
+    double start = plane_distance(face, plane, from), end = plane_distance(face, plane, to);
+    test.n_dot_r = normal_dot(face, plane, r);
+    test.n_dot_o_plus_d = start;
+    if (test.n_dot_r == 0) {
+        test.verdict = FACE_PARALLEL;
+        return test;
+    }
+    /* Between means: the ends lie on different sides of the plane, neither of them in it. */
+    bool between = (start < 0 && end > 0) || (start > 0 && end < 0);
+    test.t = between ? start / (start - end) : -start / test.n_dot_r;
+    bool inside = (complete || between) && inside_edges(&test, face, from, r, complete);
+    if (between && face->front_only && start < 0)
+        test.verdict = FACE_BACK;
+    else if (between)
+        test.verdict = inside ? FACE_INSIDE : FACE_OUTSIDE;
+    else
+        test.verdict = start == 0 || (start < 0) == (test.n_dot_r < 0) ? FACE_BEHIND : FACE_FARTHER;
+    return test;
+}
+
+Vec3 point_shifted(const Face *face, const Plane *plane, Vec3 n, Vec3 point)
+{
+    Vec3 from_vertex = vec3_sub(point, face_vertex(face, 0));
+    double height = vec3_dot(n, from_vertex);
+    /* What rounding may hide: in the normal, in the height, in the sum below. */
+    double margin = (plane->error + 5 * ROUNDING) * sum_of_magnitudes(from_vertex) + 2 * ROUNDING * sum_of_magnitudes(point);
+    margin = margin > 0x1p-100 ? margin : 0x1p-100;
+    return vec3_add(point, vec3_scale(margin - height, n));
+}

@@ -1,0 +1,222 @@
+/* The reference tracer: the algorithm of docs/algorithm.md, scalar, in double, as plainly as it can be said.
+ * The step numbers in the comments are that document's. What happens is told to the recorder, where there is one. */
+#include "reference.h"
+
+#include <stddef.h>
+
+typedef struct Hit {
+    int face; /* -1: none */
+    FaceTest test;
+    Vec3 point;   /* P */
+    Vec3 normal;  /* N turned to the side that the ray came from */
+    Vec3 shifted; /* P moved off the face along N */
+} Hit;
+
+static void tell(const Recorder *recorder, Event event) { recorder->record(recorder->user, &event); }
+
+static Vec3 unit_or_zero(Vec3 a) { return vec3_dot(a, a) > 0 ? vec3_unit(a) : a; }
+
+static Vec3 point_at(Ray ray, double t) { return vec3_add(ray.origin, vec3_scale(t, ray.direction)); }
+
+/* Steps 3 to 5: the face with the smallest t > 0; of equal ones, the first in the file. */
+static Hit nearest_hit(const Scene *scene, Ray ray, int skip, RenderReport *report, const Recorder *recorder)
+{
+    Hit nearest = {.face = -1, .test = {.t = HUGE_VAL}};
+    for (int i = 0; i < scene->face_count; i++) {
+        FaceTest test = {.verdict = FACE_LEFT, .outside_edge = -1};
+        if (i != skip) {
+            test = face_test(&scene->faces[i], &scene->planes[i], ray, nearest.test.t, recorder != NULL);
+            report->face_tests++;
+        }
+        if (recorder)
+            tell(recorder, (Event){.kind = EVENT_FACE, .as.face = {i, test, nearest.test.t}});
+        if (test.verdict == FACE_INSIDE && test.t < nearest.test.t) {
+            nearest.face = i;
+            nearest.test = test;
+        }
+    }
+    return nearest;
+}
+
+/* The point of the hit, the normal on the ray's side, and the point from which the next rays start. */
+static void place_hit(const Scene *scene, Ray ray, Hit *hit)
+{
+    const Plane *plane = &scene->planes[hit->face];
+    hit->point = point_at(ray, hit->test.t);
+    hit->normal = hit->test.n_dot_r > 0 ? vec3_negate(plane->normal) : plane->normal;
+    hit->shifted = point_shifted(&scene->faces[hit->face], plane, hit->normal, hit->point);
+}
+
+/* Step 6: the first face in the file strictly between the shifted point and the light, -1 if there is none. */
+static int find_blocker(const Scene *scene, const Hit *hit, const Light *light, RenderReport *report, const Recorder *recorder)
+{
+    report->rays.shadow++;
+    for (int i = 0; i < scene->face_count; i++) {
+        if (i == hit->face)
+            continue;
+        FaceTest test =
+            face_test_segment(&scene->faces[i], &scene->planes[i], hit->shifted, light->position, recorder != NULL);
+        report->face_tests++;
+        if (recorder)
+            tell(recorder, (Event){.kind = EVENT_OCCLUDER, .as.occluder = {i, test}});
+        if (test.verdict == FACE_INSIDE)
+            return i;
+    }
+    return -1;
+}
+
+/* Step 6 for one light: is it in front of the face, and does anything stand between? */
+static LightVerdict look_at_light(const Scene *scene, const Hit *hit, int index, RenderReport *report, const Recorder *recorder)
+{
+    const Light *light = &scene->lights[index];
+    /* All points of the face see the light on the same side of its plane, so the plane decides: N.L <= 0. */
+    int side = plane_side(&scene->faces[hit->face], &scene->planes[hit->face], light->position);
+    bool behind = (hit->test.n_dot_r > 0 ? -side : side) <= 0;
+    int blocker = -1;
+    if (behind)
+        report->skipped_light_behind++;
+    if (recorder) {
+        Vec3 to_light = vec3_sub(light->position, hit->point);
+        Vec3 from_vertex = vec3_sub(light->position, face_vertex(&scene->faces[hit->face], 0));
+        tell(recorder, (Event){.kind = EVENT_LIGHT,
+                               .as.light = {index, light->position, to_light, vec3_length(to_light),
+                                            side == 0 ? 0 : vec3_dot(hit->normal, from_vertex), unit_or_zero(to_light),
+                                            hit->shifted}});
+    }
+    if (!behind)
+        blocker = find_blocker(scene, hit, light, report, recorder);
+    LightVerdict verdict = behind ? LIGHT_BEHIND_FACE : blocker >= 0 ? LIGHT_BLOCKED : LIGHT_REACHES;
+    if (recorder)
+        tell(recorder, (Event){.kind = EVENT_LIGHT_END, .as.light_end = {index, verdict, blocker}});
+    return verdict;
+}
+
+/* Steps 6 to 8: the illumination of a hit by all the lights; *reaching counts those not in shadow. */
+static Vec3 shade(const Scene *scene, const Hit *hit, Vec3 v, int *reaching, RenderReport *report, const Recorder *recorder)
+{
+    const Material *material = &scene->materials[scene->faces[hit->face].material];
+    Vec3 colour = {0, 0, 0};
+    *reaching = 0;
+    for (int i = 0; i < scene->light_count; i++) {
+        bool reaches = look_at_light(scene, hit, i, report, recorder) == LIGHT_REACHES;
+        *reaching += reaches;
+        if (!reaches && scene->shading.shadow == SHADOW_BLACK)
+            continue;
+        Vec3 l = unit_or_zero(vec3_sub(scene->lights[i].position, hit->point));
+        Illumination terms = illuminate(material, &scene->lights[i], hit->normal, l, v);
+        Vec3 sum = terms.ambient;
+        if (reaches)
+            sum = vec3_add(vec3_add(terms.ambient, terms.diffuse), terms.specular);
+        colour = vec3_add(colour, sum);
+        if (recorder)
+            tell(recorder,
+                 (Event){.kind = EVENT_TERMS, .as.terms = {i, terms, l, v, sum, material->shininess / 4, !reaches}});
+    }
+    return colour;
+}
+
+/* Step 9: the ray that leaves the mirror. */
+static Ray reflected_ray(const Hit *hit, Vec3 r)
+{
+    Vec3 direction = vec3_sub(r, vec3_scale(2 * vec3_dot(r, hit->normal), hit->normal));
+    return (Ray){hit->shifted, direction};
+}
+
+/* Why a path ends at this hit; false if it goes on. */
+static bool path_ends(const Scene *scene, const Material *material, int reaching, int bounces, PathEnd *reason)
+{
+    if (reaching == 0 && scene->shading.shadow == SHADOW_BLACK)
+        *reason = PATH_IN_SHADOW;
+    else if (material->reflection == 0)
+        *reason = PATH_NOT_MIRROR;
+    else if (bounces == scene->shading.max_bounces)
+        *reason = PATH_MAX_BOUNCES;
+    else
+        return false;
+    return true;
+}
+
+/* Steps 3 to 10 for one primary ray: the sum of the hits' illuminations, each weighted by the mirrors before it. */
+static Vec3 trace_path(const Scene *scene, Ray ray, RenderReport *report, const Recorder *recorder)
+{
+    Vec3 total = {0, 0, 0};
+    double weight = 1;
+    int left = -1; /* the face that the ray leaves */
+    for (int bounces = 0;; bounces++) {
+        Hit hit = nearest_hit(scene, ray, left, report, recorder);
+        PathEnd reason = PATH_MISSED;
+        if (hit.face < 0) {
+            Vec3 seen = vec3_scale(weight, scene->shading.background);
+            total = vec3_add(total, seen);
+            if (recorder)
+                tell(recorder, (Event){.kind = EVENT_MISS, .as.miss = {scene->shading.background, seen, weight}});
+        } else {
+            place_hit(scene, ray, &hit);
+            if (recorder)
+                tell(recorder, (Event){.kind = EVENT_HIT,
+                                       .as.hit = {hit.face, hit.test.t, hit.point, hit.normal, hit.shifted, bounces}});
+            const Material *material = &scene->materials[scene->faces[hit.face].material];
+            Vec3 r = vec3_unit(ray.direction);
+            Vec3 v = scene->shading.viewer == VIEWER_RAY
+                         ? vec3_negate(r)
+                         : unit_or_zero(vec3_sub(scene->camera.position, hit.point));
+            int reaching;
+            Vec3 illumination = shade(scene, &hit, v, &reaching, report, recorder);
+            Vec3 contribution = vec3_scale(weight, illumination);
+            total = vec3_add(total, contribution);
+            if (recorder)
+                tell(recorder, (Event){.kind = EVENT_SHADED,
+                                       .as.shaded = {illumination, contribution, total, weight, reaching}});
+            if (!path_ends(scene, material, reaching, bounces, &reason)) {
+                ray = reflected_ray(&hit, r);
+                weight *= material->reflection;
+                left = hit.face;
+                report->rays.reflection++;
+                if (recorder)
+                    tell(recorder, (Event){.kind = EVENT_REFLECTED,
+                                           .as.reflected = {r, ray.direction, ray.origin, material->reflection, weight,
+                                                            bounces + 1}});
+                continue;
+            }
+        }
+        if (recorder)
+            tell(recorder, (Event){.kind = EVENT_PATH_END, .as.path_end = {reason, total, bounces}});
+        return total;
+    }
+}
+
+Vec3 reference_sample(const Scene *scene, int column, int row, int i, int j, RenderReport *report, const Recorder *recorder)
+{
+    View view = view_of(scene);
+    Ray ray = {view.eye, view_direction(&view, column, row, i, j)};
+    report->rays.primary++;
+    if (recorder)
+        tell(recorder, (Event){.kind = EVENT_SAMPLE,
+                               .as.sample = {column, row, i, j, ray.origin, vec3_add(ray.origin, ray.direction),
+                                             ray.direction}});
+    return trace_path(scene, ray, report, recorder);
+}
+
+Vec3 reference_pixel(const Scene *scene, int column, int row, RenderReport *report, const Recorder *recorder)
+{
+    Vec3 sum = {0, 0, 0};
+    for (int j = 0; j < scene->grid; j++)
+        for (int i = 0; i < scene->grid; i++)
+            sum = vec3_add(sum, reference_sample(scene, column, row, i, j, report, recorder));
+    double samples = (double)scene->grid * scene->grid;
+    Vec3 average = vec3(sum.x / samples, sum.y / samples, sum.z / samples);
+    if (recorder) {
+        Vec3 clamped = vec3(fmin(fmax(average.x, 0), 1), fmin(fmax(average.y, 0), 1), fmin(fmax(average.z, 0), 1));
+        tell(recorder, (Event){.kind = EVENT_PIXEL,
+                               .as.pixel = {sum, average, clamped, scene->grid * scene->grid,
+                                            {colour_to_byte(average.x), colour_to_byte(average.y),
+                                             colour_to_byte(average.z)}}});
+    }
+    return average;
+}
+
+CastHit reference_nearest(const Scene *scene, Ray ray, int skip, RenderReport *report, const Recorder *recorder)
+{
+    Hit hit = nearest_hit(scene, ray, skip, report, recorder);
+    return (CastHit){hit.face, hit.face < 0 ? 0 : hit.test.t};
+}

@@ -1,0 +1,112 @@
+/* Whole pictures with the reference tracer. A band of rows is shared out to threads, row by row; every row
+ * is computed by one thread alone, so the bytes cannot depend on how many there are. */
+#include "reference_render.h"
+
+#include "reference.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { BAND_ROWS = 32, MAX_THREADS = 256 };
+
+typedef struct Band {
+    const Scene *scene;
+    unsigned char *rgb;
+    int first_row, row_count;
+    int next_row; /* guarded by the lock, as is the report */
+    pthread_mutex_t lock;
+    RenderReport *report;
+} Band;
+
+static double now_ms(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec / 1e6;
+}
+
+static int take_row(Band *band)
+{
+    pthread_mutex_lock(&band->lock);
+    int row = band->next_row < band->row_count ? band->next_row++ : -1;
+    pthread_mutex_unlock(&band->lock);
+    return row;
+}
+
+static void add_counts(Band *band, const RenderReport *counts)
+{
+    pthread_mutex_lock(&band->lock);
+    band->report->rays.primary += counts->rays.primary;
+    band->report->rays.shadow += counts->rays.shadow;
+    band->report->rays.reflection += counts->rays.reflection;
+    band->report->box_tests += counts->box_tests;
+    band->report->face_tests += counts->face_tests;
+    band->report->skipped_light_behind += counts->skipped_light_behind;
+    pthread_mutex_unlock(&band->lock);
+}
+
+static void *render_rows(void *argument)
+{
+    Band *band = argument;
+    RenderReport counts = {0};
+    int columns = band->scene->screen.columns;
+    for (int row; (row = take_row(band)) >= 0;) {
+        unsigned char *out = band->rgb + (size_t)row * (size_t)columns * 3;
+        for (int column = 0; column < columns; column++, out += 3) {
+            Vec3 colour = reference_pixel(band->scene, column, band->first_row + row, &counts, NULL);
+            out[0] = colour_to_byte(colour.x);
+            out[1] = colour_to_byte(colour.y);
+            out[2] = colour_to_byte(colour.z);
+        }
+    }
+    add_counts(band, &counts);
+    return NULL;
+}
+
+/* The calling thread works too; a thread that cannot be started is done without. */
+static void render_band(Band *band, int threads)
+{
+    pthread_t others[MAX_THREADS];
+    int started = 0;
+    while (started < threads - 1 && pthread_create(&others[started], NULL, render_rows, band) == 0)
+        started++;
+    render_rows(band);
+    for (int i = 0; i < started; i++)
+        pthread_join(others[i], NULL);
+}
+
+static int thread_count(const RenderSettings *settings)
+{
+    long count = settings->threads > 0 ? settings->threads : sysconf(_SC_NPROCESSORS_ONLN);
+    return count < 1 ? 1 : count > MAX_THREADS ? MAX_THREADS : (int)count;
+}
+
+bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error)
+{
+    memset(report, 0, sizeof *report);
+    report->threads = thread_count(settings);
+    report->lanes = 1;
+    report->accel = ACCEL_NONE;
+    strcpy(report->device, "reference");
+
+    size_t row_bytes = (size_t)scene->screen.columns * 3;
+    unsigned char *rgb = malloc(row_bytes * BAND_ROWS);
+    if (!rgb)
+        return error_memory(error, "a band of the picture");
+    bool ok = true;
+    for (int row = 0; ok && row < scene->screen.rows; row += BAND_ROWS) {
+        int rows = scene->screen.rows - row < BAND_ROWS ? scene->screen.rows - row : BAND_ROWS;
+        Band band = {.scene = scene, .rgb = rgb, .first_row = row, .row_count = rows, .report = report};
+        double start = now_ms();
+        pthread_mutex_init(&band.lock, NULL);
+        render_band(&band, report->threads);
+        pthread_mutex_destroy(&band.lock);
+        report->trace_ms += now_ms() - start;
+        ok = sink.band(sink.user, row, rows, rgb, report, error);
+    }
+    free(rgb);
+    return ok;
+}
