@@ -38,6 +38,23 @@ COMPILE = $(CC) $(STANDARD) $(WARNINGS) $(WERROR) $(CFLAGS) $(INSTRUMENT) -MMD -
 LINK    = $(CC) $(CFLAGS) $(INSTRUMENT) $(LDFLAGS)
 LIBS    = $(LIB_LIBS) -lm -pthread
 
+# --- Set-up ---------------------------------------------------------------------------------------------------
+
+# `render`, `test` and their like begin with this: it installs what is missing, and does nothing where nothing is.
+SETUP := CC="$(CC)" PKG_CONFIG="$(PKG_CONFIG)" .ci/setup
+
+.PHONY: setup
+setup: ## install what building, rendering and testing need (Debian, Ubuntu)
+	@$(SETUP) build run test
+	@$(MAKE) --no-print-directory --silent $(UNITY_DIR)/unity.c
+
+# A plain `make` installs nothing: it checks once, before the first object, and names what is missing.
+FOUND := $(BUILD)/.libraries-found
+$(FOUND):
+	@$(SETUP) --check build
+	@mkdir -p $(@D)
+	@touch $@
+
 # --- The program ----------------------------------------------------------------------------------------------
 
 # The kernel sources in the order in which OpenCL compiles them, as one program.
@@ -61,12 +78,12 @@ $(LIBRARY): $(LIBRARY_OBJECTS)
 	$(Q)rm -f $@
 	$(Q)$(AR) rcs $@ $^
 
-$(BUILD)/src/%.o: src/%.c | libraries
+$(BUILD)/src/%.o: src/%.c | $(FOUND)
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -c $< -o $@
 
-$(BUILD)/kernel_sources.o: $(BUILD)/kernel_sources.c | libraries
+$(BUILD)/kernel_sources.o: $(BUILD)/kernel_sources.c | $(FOUND)
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -c $< -o $@
 
@@ -92,21 +109,47 @@ $(BUILD)/kernel_sources.c: $(KERNEL_FILES) Makefile
 	   echo 'const int kernel_source_count = $(words $(KERNEL_FILES));'; } > $@.part
 	@mv $@.part $@
 
+# --- Using it -------------------------------------------------------------------------------------------------
+
+.PHONY: render
+render: ## render SCENE (default scenes/cornell.json) to OUT (default build/NAME.png)
+	@$(SETUP) build run
+	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	@mkdir -p $(dir $(OUT))
+	$(PROGRAM) render $(SCENE) -o $(OUT)
+	@echo "The picture is $(abspath $(OUT))"
+
+.PHONY: install
+install: $(PROGRAM) ## install the program, the scenes and the docs under PREFIX (default /usr/local), below DESTDIR
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/rectray $(DESTDIR)$(PREFIX)/share/doc/rectray
+	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/rectray
+	cp -R scenes $(DESTDIR)$(PREFIX)/share/rectray/
+	cp -R README.md LICENSE docs/. $(DESTDIR)$(PREFIX)/share/doc/rectray/
+
+.PHONY: uninstall
+uninstall: ## remove what install put there
+	rm -rf $(DESTDIR)$(PREFIX)/bin/rectray $(DESTDIR)$(PREFIX)/share/rectray $(DESTDIR)$(PREFIX)/share/doc/rectray
+
 # --- The tests ------------------------------------------------------------------------------------------------
 
 UNITY_DIR ?= build/unity
 suite ?= *
+# What a failing suite says to run, completed by suite=NAME.
+RERUN ?= make test
 
-UNITY_FLAGS := -isystem $(UNITY_DIR) -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64
+# As a system header, Unity may use macros that our warnings would refuse. Flushed, a test that crashes still tells
+# which ones passed before it.
+UNITY_FLAGS := -isystem $(UNITY_DIR) -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64 -DUNITY_USE_FLUSH_STDOUT
 UNIT_TESTS   := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_$(suite).c))
 SCRIPT_TESTS := $(wildcard tests/$(suite)_test.py tests/$(suite)_test.sh)
 
 .PHONY: test
 test: ## run all tests, or one suite: make test suite=NAME
+	@$(SETUP) build run test
 	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS)
-	@RECTRAY=$(abspath $(PROGRAM)) tests/run $(UNIT_TESTS) $(SCRIPT_TESTS)
+	@RECTRAY=$(abspath $(PROGRAM)) RERUN="$(RERUN)" tests/run $(UNIT_TESTS) $(SCRIPT_TESTS)
 
-$(BUILD)/tests/%.o: tests/%.c $(UNITY_DIR)/unity.c | libraries
+$(BUILD)/tests/%.o: tests/%.c $(UNITY_DIR)/unity.c | $(FOUND)
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) $(UNITY_FLAGS) -c $< -o $@
@@ -120,11 +163,43 @@ $(BUILD)/tests/unity.o: $(UNITY_DIR)/unity.c
 	$(call say,compile,$<)
 	$(Q)$(CC) -std=c99 $(CFLAGS) $(INSTRUMENT) $(UNITY_FLAGS) -c $< -o $@
 
+# Fetched, not kept here; a folder that UNITY_DIR names must have it.
 build/unity/unity.c:
-	.ci/unity $(@D)
+	@.ci/unity $(@D)
 
-.PHONY: libraries
-libraries:
+# --- Variants and care ----------------------------------------------------------------------------------------
+
+# Every test again with each memory access and each undefined operation watched. What the OpenCL driver itself
+# leaks is none of ours: tests/lsan.supp.
+.PHONY: asan
+asan: ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer (suite=NAME too)
+	@ASAN_OPTIONS=$${ASAN_OPTIONS:-detect_stack_use_after_return=1} UBSAN_OPTIONS=$${UBSAN_OPTIONS:-print_stacktrace=1} \
+	 LSAN_OPTIONS=suppressions=$(abspath tests/lsan.supp):print_suppressions=0 \
+	 $(MAKE) --no-print-directory test BUILD=build/asan RERUN="make asan" CFLAGS="-O1 -g -fno-omit-frame-pointer" \
+	     INSTRUMENT="-fsanitize=address,undefined -fno-sanitize-recover=all"
+
+.PHONY: clang
+clang: ## build the program and its tests with clang, warnings being errors
+	@$(SETUP) clang build
+	@$(MAKE) --no-print-directory programs CC=clang BUILD=build/clang
+
+.PHONY: programs
+programs: $(PROGRAM) $(UNIT_TESTS)
+
+.PHONY: format
+format: ## give the C sources the style of .clang-format
+	clang-format -i $(wildcard src/*.[ch] tests/*.[ch])
+
+.PHONY: lint
+lint: ## look for likely mistakes with clang-tidy (.clang-tidy) and cppcheck
+	@.ci/setup --check lint
+	@$(MAKE) --no-print-directory --silent $(FOUND)
+	@for file in $(wildcard src/*.c); do \
+	    echo "clang-tidy $$file"; \
+	    clang-tidy --quiet --warnings-as-errors='*' $$file -- $(STANDARD) -Isrc $(LIB_CFLAGS) || exit; \
+	done
+	cppcheck --quiet --std=c99 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+	    --suppress=missingIncludeSystem -Isrc -D_POSIX_C_SOURCE=200809L src
 
 .PHONY: clean
 clean: ## remove everything that was built
@@ -132,7 +207,8 @@ clean: ## remove everything that was built
 
 .PHONY: help
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):.*## /    make \1\t/p' Makefile | expand -t 20
+	@echo "Usage: make [TARGET] [VARIABLE=VALUE]... (V=1 shows the commands, WERROR= forgives warnings)"
+	@sed -n 's/^\([a-z]*\):.*## /    make \1\t/p' Makefile | expand -t 20
 
 .DELETE_ON_ERROR:
 .SECONDARY:
