@@ -43,6 +43,8 @@ LIBS    = $(LIB_LIBS) -lm -pthread
 # `render`, `test` and their like begin with this: it installs what is missing, and does nothing where nothing is.
 SETUP := CC="$(CC)" PKG_CONFIG="$(PKG_CONFIG)" .ci/setup
 
+.DEFAULT_GOAL := all
+
 .PHONY: setup
 setup: ## install what building, rendering and testing need (Debian, Ubuntu)
 	@$(SETUP) build run test
