@@ -16,7 +16,7 @@ typedef enum ErrorKind {
 
 typedef struct Error {
     ErrorKind kind;
-    char text[2048]; /* one message without a final newline; a compiler's log may follow in it */
+    char text[8192]; /* one message without a final newline; a compiler's log may follow in it */
 } Error;
 
 /* Fills the error, printf-like, and returns false, so that a function can `return error_set(...)`.

@@ -2,12 +2,12 @@
  * is computed by one thread alone, so the bytes cannot depend on how many there are. */
 #include "reference_render.h"
 
+#include "clock.h"
 #include "reference.h"
 
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { BAND_ROWS = 32, MAX_THREADS = 256 };
@@ -21,12 +21,6 @@ typedef struct Band {
     RenderReport *report;
 } Band;
 
-static double now_ms(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec / 1e6;
-}
 
 static int take_row(Band *band)
 {
@@ -100,11 +94,11 @@ bool reference_render(const Scene *scene, const RenderSettings *settings, BandSi
     for (int row = 0; ok && row < scene->screen.rows; row += BAND_ROWS) {
         int rows = scene->screen.rows - row < BAND_ROWS ? scene->screen.rows - row : BAND_ROWS;
         Band band = {.scene = scene, .rgb = rgb, .first_row = row, .row_count = rows, .report = report};
-        double start = now_ms();
+        double start = clock_ms();
         pthread_mutex_init(&band.lock, NULL);
         render_band(&band, report->threads);
         pthread_mutex_destroy(&band.lock);
-        report->trace_ms += now_ms() - start;
+        report->trace_ms += clock_ms() - start;
         ok = sink.band(sink.user, row, rows, rgb, report, error);
     }
     free(rgb);

@@ -1,0 +1,158 @@
+/* Lanes: LANES rays side by side in vector registers, one work-item for all of them.
+ * LANES (1, 4, 8, 16) and REAL_DOUBLE (0, 1) are build options; one source serves them all. A CPU wants as many lanes
+ * as its registers hold, since its compiler does not vectorise loops that differ between rays; a GPU wants 1.
+ * `wide` is double wherever the device has it: plane distances and t are computed in it by both precisions. */
+#pragma OPENCL FP_CONTRACT OFF /* a * b + c rounds twice, as on the host; fma() where we want one rounding */
+
+#if REAL_DOUBLE || HAS_DOUBLE
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+typedef double wide;
+#define WIDE_ROUNDING 0x1p-53
+#define WIDE_MIN DBL_MIN
+#define WIDE_MAX DBL_MAX
+#define WIDE_SPLITTER 134217729.0
+#else
+typedef float wide;
+#define WIDE_ROUNDING 0x1p-24f
+#define WIDE_MIN FLT_MIN
+#define WIDE_MAX FLT_MAX
+#endif
+
+#if REAL_DOUBLE
+typedef double real;
+#define REAL_ROUNDING 0x1p-53
+#define REAL_FLOOR 0x1p-900
+#define SHIFT_FLOOR 0x1p-100
+#else
+typedef float real;
+#define REAL_ROUNDING 0x1p-24f
+#define REAL_FLOOR 0x1p-120f
+#define SHIFT_FLOOR 0x1p-60f
+#endif
+
+#define PASTE_(a, b) a##b
+#define PASTE(a, b) PASTE_(a, b)
+
+#if LANES == 1
+typedef real Lanes;
+typedef wide Wide;
+typedef int Mask; /* all bits set: yes, 0: no; also holds the number of a face */
+typedef int WideMask;
+#define IS(comparison) (-(comparison))
+#define ANY(mask) ((mask) != 0)
+#define TO_WIDE(x) ((wide)(x))
+#define TO_REAL(x) ((real)(x))
+#define TO_WIDE_MASK(m) (m)
+#define TO_MASK(m) (m)
+#define TO_LANES(m) ((real)(m))
+#define LOAD(p) (*(p))
+#define STORE(v, p) (*(p) = (v))
+#else
+#if REAL_DOUBLE
+typedef PASTE(double, LANES) Lanes;
+typedef PASTE(long, LANES) Mask;
+#define TO_MASK(m) (m)
+#define TO_LANES(m) PASTE(convert_double, LANES)(m)
+#else
+typedef PASTE(float, LANES) Lanes;
+typedef PASTE(int, LANES) Mask;
+#define TO_MASK(m) PASTE(convert_int, LANES)(m)
+#define TO_LANES(m) PASTE(convert_float, LANES)(m)
+#endif
+#if REAL_DOUBLE || HAS_DOUBLE
+typedef PASTE(double, LANES) Wide;
+typedef PASTE(long, LANES) WideMask;
+#define TO_WIDE(x) PASTE(convert_double, LANES)(x)
+#define TO_WIDE_MASK(m) PASTE(convert_long, LANES)(m)
+#else
+typedef PASTE(float, LANES) Wide;
+typedef PASTE(int, LANES) WideMask;
+#define TO_WIDE(x) (x)
+#define TO_WIDE_MASK(m) (m)
+#endif
+#if REAL_DOUBLE
+#define TO_REAL(x) (x)
+#elif HAS_DOUBLE
+#define TO_REAL(x) PASTE(convert_float, LANES)(x)
+#else
+#define TO_REAL(x) (x)
+#endif
+#define IS(comparison) (comparison)
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_reduce_or)
+#define ANY(mask) (__builtin_reduce_or(mask) != 0) /* a third of the instructions of any() with PoCL 3.1 */
+#endif
+#endif
+#ifndef ANY
+#define ANY(mask) any(mask)
+#endif
+#define LOAD(p) PASTE(vload, LANES)(0, p)
+#define STORE(v, p) PASTE(vstore, LANES)(v, 0, p)
+#endif
+
+#if REAL_DOUBLE && LANES > 1
+typedef long MaskElement;
+#else
+typedef int MaskElement;
+#endif
+
+/* One compare and one blend each; min() and max() of vectors cost twice that for their handling of NaN. */
+#define LESSER(a, b) ((a) < (b) ? (a) : (b))
+#define GREATER(a, b) ((a) > (b) ? (a) : (b))
+#define FMA(a, b, c) fma((Lanes)(a), (Lanes)(b), (Lanes)(c))
+
+typedef struct Vec {
+    Lanes x, y, z;
+} Vec;
+
+typedef struct WideVec {
+    Wide x, y, z;
+} WideVec;
+
+static Vec vec(Lanes x, Lanes y, Lanes z)
+{
+    Vec v = {x, y, z};
+    return v;
+}
+
+static Vec vec_row(global const real *row) { return vec((Lanes)row[0], (Lanes)row[1], (Lanes)row[2]); }
+static Vec vec_add(Vec a, Vec b) { return vec(a.x + b.x, a.y + b.y, a.z + b.z); }
+static Vec vec_sub(Vec a, Vec b) { return vec(a.x - b.x, a.y - b.y, a.z - b.z); }
+static Vec vec_scale(Lanes s, Vec a) { return vec(s * a.x, s * a.y, s * a.z); }
+static Vec vec_multiply(Vec a, Vec b) { return vec(a.x * b.x, a.y * b.y, a.z * b.z); }
+static Lanes vec_dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Lanes vec_magnitudes(Vec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+static Lanes vec_largest(Vec a) { return GREATER(GREATER(fabs(a.x), fabs(a.y)), fabs(a.z)); }
+static Vec vec_select(Mask mask, Vec a, Vec b) { return vec(mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z); }
+
+static Vec vec_cross(Vec a, Vec b)
+{
+    return vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+/* a / |a|; a zero vector stays zero. */
+static Vec vec_unit(Vec a)
+{
+    Lanes squared = vec_dot(a, a);
+    Lanes length = squared > (Lanes)0 ? sqrt(squared) : (Lanes)1;
+    return vec(a.x / length, a.y / length, a.z / length);
+}
+
+static Vec vec_to_real(WideVec a) { return vec(TO_REAL(a.x), TO_REAL(a.y), TO_REAL(a.z)); }
+
+static WideVec vec_to_wide(Vec a)
+{
+    WideVec w = {TO_WIDE(a.x), TO_WIDE(a.y), TO_WIDE(a.z)};
+    return w;
+}
+
+/* How many lanes of the mask are set. */
+static uint mask_count(Mask mask)
+{
+    MaskElement elements[LANES];
+    STORE(mask, elements);
+    uint count = 0;
+    for (int i = 0; i < LANES; i++)
+        count += elements[i] != 0;
+    return count;
+}

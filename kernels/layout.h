@@ -1,0 +1,87 @@
+/* The data that the host and the kernels share: one header, compiled by both languages.
+ * Structs hold 4-byte scalars only, so that no compiler pads them; their sizes are checked when a kernel is built.
+ * Everything real-valued travels as rows of `real` (float or double, a build option): the enums name the columns.
+ * A row's value that needs more than a float in the float kernel is split: value = NAME + NAME_LOW. */
+#ifndef RECTRAY_LAYOUT_H
+#define RECTRAY_LAYOUT_H
+
+/* A face as it is traced: exactly the float32 vertices of the scene. */
+typedef struct FaceRecord {
+    float vertices[12]; /* 4 x (x, y, z); a triangle repeats its first */
+    int material;
+    int front_only; /* 1: rays from behind the normal pass */
+    int padding[2];
+} FaceRecord;
+
+/* What stays the same over a launch, but for the band. */
+typedef struct Parameters {
+    int columns, rows;
+    int first_row, band_rows; /* the rows that this launch renders */
+    int grid;
+    int face_count, light_count;
+    int max_bounces;
+    int shadow_ambient; /* 1: a light's ambient term counts in its shadow too, and the path goes on */
+    int viewer_ray;     /* 1: V points back along the ray */
+    int ray_count;      /* cast only */
+    int padding;
+} Parameters;
+
+/* The edge functions of a face: edge k has the moment v[k] x v[k+1] and the direction v[k+1] - v[k]. */
+enum {
+    EDGE_MOMENT = 0,    /* 3 */
+    EDGE_DIRECTION = 3, /* 3 */
+    EDGE_REALS = 6,
+    FACE_MOMENT_BOUND = 24,    /* the largest |x|+|y|+|z| of the four moments */
+    FACE_DIRECTION_BOUND = 25, /* and of the four directions */
+    FACE_REALS = 28
+};
+
+enum {
+    PLANE_NORMAL = 0, /* 3, unit */
+    PLANE_NORMAL_LOW = 3,
+    PLANE_ERROR = 6, /* no component of the exact normal is farther from NORMAL + NORMAL_LOW */
+    PLANE_REALS = 8
+};
+
+enum {
+    LIGHT_POSITION = 0, /* 3 */
+    LIGHT_POSITION_LOW = 3,
+    LIGHT_AMBIENT = 6, /* 3, RGB, as the next two */
+    LIGHT_DIFFUSE = 9,
+    LIGHT_SPECULAR = 12,
+    LIGHT_REALS = 16
+};
+
+enum {
+    MATERIAL_AMBIENT = 0, /* 3, RGB, as the next two */
+    MATERIAL_DIFFUSE = 3,
+    MATERIAL_SPECULAR = 6,
+    MATERIAL_EXPONENT = 9, /* alpha / 4 */
+    MATERIAL_REFLECTION = 10,
+    MATERIAL_REALS = 12
+};
+
+enum {
+    VIEW_EYE = 0,
+    VIEW_FORWARD = 3, /* times the screen's distance */
+    VIEW_RIGHT = 6,
+    VIEW_UP = 9,
+    VIEW_WIDTH = 12,
+    VIEW_HEIGHT = 13,
+    VIEW_BACKGROUND = 14, /* 3, RGB */
+    VIEW_REALS = 20
+};
+
+/* Counters, in COUNTER_STRIPES copies so that work-items seldom meet; the host adds the copies. */
+enum {
+    COUNT_PRIMARY,
+    COUNT_SHADOW,
+    COUNT_REFLECTION,
+    COUNT_LIGHT_BEHIND,
+    COUNT_FACE_TESTS,
+    COUNTER_KINDS,
+    COUNTER_STRIPES = 64,
+    COUNTER_STRIDE = 16 /* 4-byte counters from one copy to the next: a cache line */
+};
+
+#endif

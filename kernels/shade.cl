@@ -1,0 +1,125 @@
+/* What a hit looks like: the point, its lights, its colour. The lanes of a packet mostly meet few faces, so
+ * what belongs to a face is fetched once per face and blended into its lanes. */
+
+typedef struct Surface {
+    Vec point, normal, shifted; /* P, N on the ray's side, P moved off the face */
+    Vec ambient, diffuse, specular;
+    Lanes exponent, reflection;
+    Mask face, with_normal;
+} Surface;
+
+typedef struct Shading {
+    global const real *materials, *lights, *view;
+    constant const Parameters *parameters;
+} Shading;
+
+/* The number in the first lane that is set in the mask. */
+static int first_of(Mask numbers, Mask mask)
+{
+    MaskElement n[LANES], m[LANES];
+    STORE(numbers, n);
+    STORE(mask, m);
+    int i = 0;
+    while (i < LANES - 1 && !m[i])
+        i++;
+    return (int)n[i];
+}
+
+/* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */
+static Vec point_shifted(global const FaceRecord *face, PlaneRow plane, Vec n, Mask with_normal, Vec point)
+{
+    WideVec p = vec_to_wide(point);
+    Wide x = p.x - (wide)face->vertices[0], y = p.y - (wide)face->vertices[1], z = p.z - (wide)face->vertices[2];
+    Wide height = plane.x * x + plane.y * y + plane.z * z;
+    height = TO_WIDE_MASK(with_normal) ? -height : height;
+    Wide margin = (plane.error + 5 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z)) +
+                  TO_WIDE(2 * REAL_ROUNDING * vec_magnitudes(point));
+    margin = margin > (Wide)SHIFT_FLOOR ? margin : (Wide)SHIFT_FLOOR;
+    return vec_add(point, vec_scale(TO_REAL(margin - height), n));
+}
+
+static Surface surface_of(const Geometry *g, const Shading *s, Vec origin, Vec direction, Nearest nearest, Mask active)
+{
+    Surface surface;
+    surface.face = nearest.face;
+    surface.with_normal = nearest.with_normal;
+    surface.point = vec_add(origin, vec_scale(TO_REAL(nearest.t), direction));
+    surface.normal = surface.shifted = surface.ambient = surface.diffuse = surface.specular = vec(0, 0, 0);
+    surface.exponent = surface.reflection = (Lanes)0;
+    for (Mask rest = active; ANY(rest);) {
+        int face = first_of(nearest.face, rest);
+        Mask here = rest & IS(nearest.face == (Mask)face);
+        rest &= ~here;
+        PlaneRow plane = plane_row(g, face);
+        Vec normal = vec_row(g->planes + (size_t)face * PLANE_REALS);
+        Vec turned = vec_select(nearest.with_normal, vec(-normal.x, -normal.y, -normal.z), normal);
+        surface.normal = vec_select(here, turned, surface.normal);
+        surface.shifted = vec_select(here, point_shifted(g->faces + face, plane, turned, nearest.with_normal, surface.point),
+                                     surface.shifted);
+        global const real *material = s->materials + (size_t)g->faces[face].material * MATERIAL_REALS;
+        surface.ambient = vec_select(here, vec_row(material + MATERIAL_AMBIENT), surface.ambient);
+        surface.diffuse = vec_select(here, vec_row(material + MATERIAL_DIFFUSE), surface.diffuse);
+        surface.specular = vec_select(here, vec_row(material + MATERIAL_SPECULAR), surface.specular);
+        surface.exponent = here ? (Lanes)material[MATERIAL_EXPONENT] : surface.exponent;
+        surface.reflection = here ? (Lanes)material[MATERIAL_REFLECTION] : surface.reflection;
+    }
+    return surface;
+}
+
+/* The lanes whose surface faces the light: N.L > 0, decided per face by the side of its plane that the light is on. */
+static Mask faces_light(const Geometry *g, const Surface *surface, const wide *light, Mask active)
+{
+    Mask facing = (Mask)0;
+    for (Mask rest = active; ANY(rest);) {
+        int face = first_of(surface->face, rest);
+        Mask here = rest & IS(surface->face == (Mask)face);
+        rest &= ~here;
+        wide distance = plane_distance_of_point(g, face, plane_row(g, face), light);
+        facing |= here & (distance > 0 ? ~surface->with_normal : distance < 0 ? surface->with_normal : (Mask)0);
+    }
+    return facing;
+}
+
+static Lanes at_least_zero(Lanes x) { return x > (Lanes)0 ? x : (Lanes)0; }
+
+/* Blinn-Phong, term by term as light.c: ambient everywhere, the other two where the light reaches. */
+static Vec illuminate(const Surface *surface, global const real *light, Vec l, Vec v, Mask reaches)
+{
+    Vec ambient = vec_multiply(surface->ambient, vec_row(light + LIGHT_AMBIENT));
+    Lanes l_dot_n = at_least_zero(vec_dot(l, surface->normal));
+    Vec halfway = vec_unit(vec_add(l, v));
+    Lanes n_dot_h = at_least_zero(vec_dot(surface->normal, halfway));
+    Vec diffuse = vec_scale(l_dot_n, vec_multiply(surface->diffuse, vec_row(light + LIGHT_DIFFUSE)));
+    Vec shine = vec_multiply(surface->specular, vec_row(light + LIGHT_SPECULAR));
+    Vec specular = vec(0, 0, 0);
+    if (ANY(reaches & (IS(shine.x > (Lanes)0) | IS(shine.y > (Lanes)0) | IS(shine.z > (Lanes)0))))
+        specular = vec_scale(pow(n_dot_h, surface->exponent), shine);
+    return vec_select(reaches, vec_add(vec_add(ambient, diffuse), specular), ambient);
+}
+
+/* The illumination of the active lanes by all lights; *lit collects the lanes that some light reaches. */
+static Vec shade(const Geometry *g, const Shading *s, const Surface *surface, Vec v, Mask active, Mask *lit, Counters *counters)
+{
+    Vec colour = vec(0, 0, 0);
+    *lit = (Mask)0;
+    for (int i = 0; i < s->parameters->light_count; i++) {
+        global const real *light = s->lights + i * LIGHT_REALS;
+        wide position[3] = {(wide)light[0] + (wide)light[3], (wide)light[1] + (wide)light[4],
+                            (wide)light[2] + (wide)light[5]};
+        Mask facing = faces_light(g, surface, position, active);
+        counters->kinds[COUNT_LIGHT_BEHIND] += mask_count(active & ~facing);
+        Mask reaches = facing;
+        if (ANY(facing)) {
+            counters->kinds[COUNT_SHADOW] += mask_count(facing);
+            reaches &= ~find_blocked(g, surface->shifted, position, facing, surface->face, counters);
+        }
+        *lit |= reaches;
+        Mask counted = s->parameters->shadow_ambient ? active : reaches;
+        if (!ANY(counted))
+            continue;
+        Vec l = vec_unit(vec_sub(vec_row(light + LIGHT_POSITION), surface->point));
+        Vec sum = illuminate(surface, light, l, v, reaches);
+        colour = vec_select(counted, vec_add(colour, sum), colour);
+    }
+    return colour;
+}

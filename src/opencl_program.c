@@ -1,0 +1,180 @@
+/* A device made ready: context, queue and compiled kernels. Every OpenCL call goes through opencl_ok. */
+#include "opencl_program.h"
+
+#include "clock.h"
+#include "kernel_sources.h"
+#include "text.h"
+
+#include "../kernels/layout.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_SOURCES = 32, MAX_SOURCE_BYTES = 1 << 20 };
+
+/* The texts to compile, each after a #line, so that the compiler's messages name its file. */
+typedef struct Sources {
+    const char *texts[2 * MAX_SOURCES];
+    char lines[MAX_SOURCES][128];
+    char *files[MAX_SOURCES]; /* those read from RECTRAY_KERNELS */
+    int count;
+} Sources;
+
+static bool sources_add(Sources *sources, int i, const char *folder, Error *error)
+{
+    snprintf(sources->lines[i], sizeof sources->lines[i], "\n#line 1 \"%s\"\n", kernel_sources[i].name);
+    sources->texts[2 * i] = sources->lines[i];
+    sources->texts[2 * i + 1] = kernel_sources[i].text;
+    sources->count = i + 1;
+    if (!folder)
+        return true;
+    size_t size = strlen(folder) + strlen(kernel_sources[i].name) + 2;
+    char *path = malloc(size);
+    if (!path)
+        return error_memory(error, "the name of a kernel file");
+    snprintf(path, size, "%s/%s", folder, kernel_sources[i].name);
+    long length;
+    sources->files[i] = text_read(path, MAX_SOURCE_BYTES, &length, error);
+    free(path);
+    sources->texts[2 * i + 1] = sources->files[i];
+    if (!sources->files[i])
+        error->kind = ERROR_SYSTEM; /* not the scene's fault */
+    return sources->files[i] != NULL;
+}
+
+static void sources_free(Sources *sources)
+{
+    for (int i = 0; i < sources->count; i++)
+        free(sources->files[i]);
+}
+
+static bool choose_lanes(OpenclSession *session, const RenderSettings *settings, Error *error)
+{
+    bool is_double = settings->precision == PRECISION_DOUBLE;
+    if (is_double && !session->info.has_double)
+        return error_set(error, ERROR_SYSTEM, "the device %s has no double precision; use --precision float", session->info.name);
+    session->precision = settings->precision;
+    session->wide_is_double = session->info.has_double;
+    session->lanes = is_double ? session->info.lanes_double : session->info.lanes_float;
+    if (settings->lanes > 0)
+        session->lanes = settings->lanes;
+    session->tile_columns = session->lanes == 16 ? 4 : session->lanes >= 4 ? session->lanes / 2 : 1;
+    session->tile_rows = session->lanes / session->tile_columns;
+    return true;
+}
+
+/* The end of the compiler's log is cut where the message is full; its first errors matter most. */
+static bool report_build_failure(OpenclSession *session, cl_int status, Error *error)
+{
+    size_t size = 0;
+    clGetProgramBuildInfo(session->program, session->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &size);
+    char *log = calloc(size + 1, 1);
+    if (!log)
+        return error_memory(error, "the compiler's log");
+    clGetProgramBuildInfo(session->program, session->device, CL_PROGRAM_BUILD_LOG, size, log, NULL);
+    error_set(error, ERROR_SYSTEM, "the kernels do not compile for %s (OpenCL error %d); the compiler says:\n%s",
+              session->info.name, (int)status, log);
+    free(log);
+    return false;
+}
+
+static bool build_program(OpenclSession *session, const Sources *sources, RenderReport *report, Error *error)
+{
+    snprintf(report->build_options, sizeof report->build_options,
+             "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DTILE_COLUMNS=%d -DTILE_ROWS=%d -DFACE_RECORD_BYTES=%d "
+             "-DPARAMETERS_BYTES=%d",
+             session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double, session->tile_columns,
+             session->tile_rows, (int)sizeof(FaceRecord), (int)sizeof(Parameters));
+    cl_int status;
+    session->program = clCreateProgramWithSource(session->context, (cl_uint)(2 * sources->count),
+                                                 (const char **)sources->texts, NULL, &status);
+    if (!opencl_ok(error, status, "clCreateProgramWithSource"))
+        return false;
+    status = clBuildProgram(session->program, 1, &session->device, report->build_options, NULL, NULL);
+    if (status != CL_SUCCESS)
+        return report_build_failure(session, status, error);
+    return true;
+}
+
+static bool open_context(OpenclSession *session, Error *error)
+{
+    cl_int status;
+    session->context = clCreateContext(NULL, 1, &session->device, NULL, NULL, &status);
+    if (!opencl_ok(error, status, "clCreateContext"))
+        return false;
+    session->queue = clCreateCommandQueue(session->context, session->device, 0, &status);
+    return opencl_ok(error, status, "clCreateCommandQueue");
+}
+
+bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    if (!opencl_find_device(settings->device, settings->threads, &session->device, &session->info, error) ||
+        !choose_lanes(session, settings, error) || !open_context(session, error))
+        return false;
+    report->lanes = session->lanes;
+    report->threads = session->info.compute_units;
+    report->accel = ACCEL_NONE;
+    snprintf(report->device, sizeof report->device, "%s", session->info.name);
+    report->device_ms = clock_ms() - start;
+
+    start = clock_ms();
+    Sources sources = {.count = 0};
+    bool ok = true;
+    for (int i = 0; ok && i < kernel_source_count; i++)
+        ok = sources_add(&sources, i, getenv("RECTRAY_KERNELS"), error);
+    ok = ok && build_program(session, &sources, report, error);
+    sources_free(&sources);
+    report->compile_ms = clock_ms() - start;
+    return ok;
+}
+
+void opencl_close(OpenclSession *session)
+{
+    for (int i = 0; i < session->buffer_count; i++)
+        clReleaseMemObject(session->buffers[i]);
+    if (session->program)
+        clReleaseProgram(session->program);
+    if (session->queue)
+        clReleaseCommandQueue(session->queue);
+    if (session->context)
+        clReleaseContext(session->context);
+    *session = (OpenclSession){0};
+}
+
+cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, const void *data, Error *error)
+{
+    cl_int status;
+    if (data)
+        flags |= CL_MEM_COPY_HOST_PTR;
+    cl_mem buffer = clCreateBuffer(session->context, flags, bytes, (void *)(size_t)data, &status);
+    if (!opencl_ok(error, status, "clCreateBuffer"))
+        return NULL;
+    session->buffers[session->buffer_count++] = buffer;
+    return buffer;
+}
+
+cl_kernel opencl_kernel(OpenclSession *session, const char *name, const cl_mem *arguments, int count, Error *error)
+{
+    cl_int status;
+    cl_kernel kernel = clCreateKernel(session->program, name, &status);
+    if (!opencl_ok(error, status, "clCreateKernel"))
+        return NULL;
+    for (int i = 0; i < count && status == CL_SUCCESS; i++)
+        status = clSetKernelArg(kernel, (cl_uint)i, sizeof arguments[i], &arguments[i]);
+    if (opencl_ok(error, status, "clSetKernelArg"))
+        return kernel;
+    clReleaseKernel(kernel);
+    return NULL;
+}
+
+bool opencl_run(OpenclSession *session, cl_kernel kernel, size_t items, Error *error)
+{
+    /* One work-item is a whole register of rays on a CPU; on a GPU the items of a group share a unit. */
+    size_t local = session->lanes > 1 || strcmp(session->info.type, "CPU") == 0 ? 1 : 64;
+    size_t global = (items + local - 1) / local * local;
+    return opencl_ok(error, clEnqueueNDRangeKernel(session->queue, kernel, 1, NULL, &global, &local, 0, NULL, NULL),
+                     "clEnqueueNDRangeKernel") &&
+           opencl_ok(error, clFinish(session->queue), "clFinish");
+}

@@ -1,0 +1,38 @@
+/* A device made ready: context, queue and compiled kernels. Floor 4, below opencl.h. */
+#ifndef RECTRAY_OPENCL_PROGRAM_H
+#define RECTRAY_OPENCL_PROGRAM_H
+
+#include "opencl_device.h"
+
+enum { OPENCL_MAX_BUFFERS = 16 };
+
+/* Zero it, open it, free it; the buffers made with it are freed with it. */
+typedef struct OpenclSession {
+    DeviceInfo info;
+    Precision precision;
+    int lanes, tile_columns, tile_rows;
+    bool wide_is_double; /* t comes back as double */
+    cl_device_id device;
+    cl_context context;
+    cl_command_queue queue;
+    cl_program program;
+    cl_mem buffers[OPENCL_MAX_BUFFERS];
+    int buffer_count;
+} OpenclSession;
+
+/* Opens the device of the settings and builds the kernels for its number of lanes; times, device and build options go to
+ * the report. The kernels are those embedded in the program, or the files of the folder that the environment variable
+ * RECTRAY_KERNELS names. A kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
+bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderReport *report, Error *error);
+void opencl_close(OpenclSession *session);
+
+/* A buffer with a copy of `data`, or uninitialised where data is NULL; NULL with the error filled on failure. */
+cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, const void *data, Error *error);
+
+/* A kernel with its buffers as arguments, in order; the caller releases it. */
+cl_kernel opencl_kernel(OpenclSession *session, const char *name, const cl_mem *arguments, int count, Error *error);
+
+/* Runs the kernel with at least `items` work-items and waits. */
+bool opencl_run(OpenclSession *session, cl_kernel kernel, size_t items, Error *error);
+
+#endif

@@ -1,0 +1,154 @@
+/* A scene as the kernels want it. Every value is computed in double and rounded once. */
+#include "opencl_scene.h"
+
+#include "geometry.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+size_t reals_bytes(const Reals *reals)
+{
+    return reals->count * (reals->precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float));
+}
+
+/* OpenCL has no buffer of zero bytes, so that rows of nothing get one value. */
+static bool reals_allocate(Reals *reals, size_t rows, size_t row, Precision precision, Error *error)
+{
+    reals->precision = precision;
+    reals->count = rows > 0 ? rows * row : 1;
+    reals->data = calloc(reals->count, precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float));
+    return reals->data || error_memory(error, "the scene for the device");
+}
+
+static void put(Reals *reals, size_t index, double value)
+{
+    if (reals->precision == PRECISION_DOUBLE)
+        ((double *)reals->data)[index] = value;
+    else
+        ((float *)reals->data)[index] = (float)value;
+}
+
+static void put_vec3(Reals *reals, size_t index, Vec3 v)
+{
+    put(reals, index, v.x);
+    put(reals, index + 1, v.y);
+    put(reals, index + 2, v.z);
+}
+
+/* What put() rounded away: zero in double. */
+static Vec3 low_part(const Reals *reals, Vec3 v)
+{
+    if (reals->precision == PRECISION_DOUBLE)
+        return vec3(0, 0, 0);
+    return vec3(v.x - (double)(float)v.x, v.y - (double)(float)v.y, v.z - (double)(float)v.z);
+}
+
+static double sum_of_magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+
+/* The bounds cover the stored values' own errors: one rounding to real, which is relative to the value, and those of the
+ * arithmetic in double, which are relative to |a| |direction| even where the moment cancels to nothing. */
+static void put_edges(Reals *edges, size_t row, const Face *face)
+{
+    double double_error = edges->precision == PRECISION_DOUBLE ? 1 : 0x1p-26;
+    double moment_bound = 0, direction_bound = 0;
+    for (int k = 0; k < 4; k++) {
+        Vec3 a = face_vertex(face, k), b = face_vertex(face, (k + 1) % 4);
+        Vec3 direction = vec3_sub(b, a), moment = vec3_cross(a, direction); /* = a x b, with less cancellation */
+        put_vec3(edges, row + (size_t)k * EDGE_REALS + EDGE_MOMENT, moment);
+        put_vec3(edges, row + (size_t)k * EDGE_REALS + EDGE_DIRECTION, direction);
+        double cancelled = double_error * sum_of_magnitudes(a) * sum_of_magnitudes(direction);
+        moment_bound = fmax(moment_bound, sum_of_magnitudes(moment) + cancelled);
+        direction_bound = fmax(direction_bound, sum_of_magnitudes(direction));
+    }
+    /* Rounded up, since the bounds must hold. */
+    put(edges, row + FACE_MOMENT_BOUND, moment_bound * (1 + 4 * (double)FLT_EPSILON));
+    put(edges, row + FACE_DIRECTION_BOUND, direction_bound * (1 + 4 * (double)FLT_EPSILON));
+}
+
+static void put_plane(Reals *planes, size_t row, const Plane *plane)
+{
+    Vec3 low = low_part(planes, plane->normal);
+    put_vec3(planes, row + PLANE_NORMAL, plane->normal);
+    put_vec3(planes, row + PLANE_NORMAL_LOW, low);
+    double error = plane->error;
+    if (planes->precision == PRECISION_FLOAT) /* two floats hold 48 bits; then round up */
+        error = (error + 0x1p-48) * (1 + 4 * (double)FLT_EPSILON);
+    put(planes, row + PLANE_ERROR, error);
+}
+
+static void pack_face(DeviceScene *packed, const Scene *scene, int i)
+{
+    const Face *face = &scene->faces[i];
+    FaceRecord *record = &packed->faces[i];
+    for (int k = 0; k < 12; k++)
+        record->vertices[k] = face->vertices[k / 3][k % 3];
+    record->material = face->material;
+    record->front_only = face->front_only;
+    put_edges(&packed->edges, (size_t)i * FACE_REALS, face);
+    put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[i]);
+}
+
+static void pack_light(Reals *lights, size_t row, const Light *light)
+{
+    put_vec3(lights, row + LIGHT_POSITION, light->position);
+    put_vec3(lights, row + LIGHT_POSITION_LOW, low_part(lights, light->position));
+    put_vec3(lights, row + LIGHT_AMBIENT, light->ambient);
+    put_vec3(lights, row + LIGHT_DIFFUSE, light->diffuse);
+    put_vec3(lights, row + LIGHT_SPECULAR, light->specular);
+}
+
+static void pack_material(Reals *materials, size_t row, const Material *material)
+{
+    put_vec3(materials, row + MATERIAL_AMBIENT, material->ambient);
+    put_vec3(materials, row + MATERIAL_DIFFUSE, material->diffuse);
+    put_vec3(materials, row + MATERIAL_SPECULAR, material->specular);
+    put(materials, row + MATERIAL_EXPONENT, material->shininess / 4);
+    put(materials, row + MATERIAL_REFLECTION, material->reflection);
+}
+
+static void pack_view(Reals *reals, const Scene *scene)
+{
+    View view = view_of(scene);
+    put_vec3(reals, VIEW_EYE, view.eye);
+    put_vec3(reals, VIEW_FORWARD, view.forward);
+    put_vec3(reals, VIEW_RIGHT, view.right);
+    put_vec3(reals, VIEW_UP, view.up);
+    put(reals, VIEW_WIDTH, view.width);
+    put(reals, VIEW_HEIGHT, view.height);
+    put_vec3(reals, VIEW_BACKGROUND, scene->shading.background);
+}
+
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, Precision precision, Error *error)
+{
+    *packed = (DeviceScene){0};
+    size_t faces = (size_t)scene->face_count;
+    packed->faces = calloc(faces > 0 ? faces : 1, sizeof *packed->faces);
+    if (!packed->faces)
+        return error_memory(error, "the faces for the device");
+    if (!reals_allocate(&packed->edges, faces, FACE_REALS, precision, error) ||
+        !reals_allocate(&packed->planes, faces, PLANE_REALS, precision, error) ||
+        !reals_allocate(&packed->materials, (size_t)scene->material_count, MATERIAL_REALS, precision, error) ||
+        !reals_allocate(&packed->lights, (size_t)scene->light_count, LIGHT_REALS, precision, error) ||
+        !reals_allocate(&packed->view, 1, VIEW_REALS, precision, error))
+        return false;
+
+    for (int i = 0; i < scene->face_count; i++)
+        pack_face(packed, scene, i);
+    for (int i = 0; i < scene->light_count; i++)
+        pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
+    for (int i = 0; i < scene->material_count; i++)
+        pack_material(&packed->materials, (size_t)i * MATERIAL_REALS, &scene->materials[i]);
+    pack_view(&packed->view, scene);
+    return true;
+}
+
+void device_scene_free(DeviceScene *packed)
+{
+    free(packed->faces);
+    free(packed->edges.data);
+    free(packed->planes.data);
+    free(packed->materials.data);
+    free(packed->lights.data);
+    free(packed->view.data);
+    *packed = (DeviceScene){0};
+}

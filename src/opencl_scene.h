@@ -1,0 +1,30 @@
+/* A scene as the kernels want it: the records and rows of kernels/layout.h, in float or double. Floor 4, below opencl.h. */
+#ifndef RECTRAY_OPENCL_SCENE_H
+#define RECTRAY_OPENCL_SCENE_H
+
+#include "render.h"
+#include "scene.h"
+
+#include "../kernels/layout.h"
+
+#include <stddef.h>
+
+/* Rows of reals, `count` values of 4 (float) or 8 (double) bytes. */
+typedef struct Reals {
+    void *data;
+    size_t count;
+    Precision precision;
+} Reals;
+
+typedef struct DeviceScene {
+    FaceRecord *faces;
+    Reals edges, planes, materials, lights, view;
+} DeviceScene;
+
+/* Packs the scene. Frees nothing of it; device_scene_free frees the copy, also after a failure. */
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, Precision precision, Error *error);
+void device_scene_free(DeviceScene *packed);
+
+size_t reals_bytes(const Reals *reals);
+
+#endif
