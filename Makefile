@@ -89,7 +89,7 @@ $(BUILD)/kernel_sources.o: $(BUILD)/kernel_sources.c | $(FOUND)
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -c $< -o $@
 
-KERNEL_FILES := $(wildcard $(addprefix kernels/,$(KERNELS)))
+KERNEL_FILES := $(addprefix kernels/,$(KERNELS))
 
 # The kernels inside the program: each file as an array of bytes, for C99 promises no string over 4095 characters.
 $(BUILD)/kernel_sources.c: $(KERNEL_FILES) Makefile
@@ -107,7 +107,7 @@ $(BUILD)/kernel_sources.c: $(KERNEL_FILES) Makefile
 	       name=$$(basename $$file); array=$$(echo $$name | tr . _); \
 	       echo "    {\"$$name\", (const char *)$$array, sizeof $$array - 1},"; \
 	   done; \
-	   echo '    {0, 0, 0}};'; \
+	   echo '};'; \
 	   echo 'const int kernel_source_count = $(words $(KERNEL_FILES));'; } > $@.part
 	@mv $@.part $@
 
