@@ -1,6 +1,6 @@
 /* What a scene is: camera, screen, lights, materials, objects and the faces that are traced.
  * Readers fill a Scene (scene_json.h), the tracers only read it. Positions here are relative to the scene's
- * centre (see scene_finish); colours are RGB in x, y, z. Floor 1. */
+ * centre (see scene_centre); colours are RGB in x, y, z. Floor 1. */
 #ifndef RECTRAY_SCENE_H
 #define RECTRAY_SCENE_H
 
@@ -12,6 +12,10 @@ enum {
     SCENE_MAX_BOUNCES = 64,
     SCENE_MAX_GRID = 16,
 };
+
+/* Colours may exceed 1, but the product of two of them must stay within a float. */
+#define SCENE_MAX_COLOUR 1e18
+#define SCENE_MAX_SHININESS 1e18
 
 typedef struct Camera {
     Vec3 position;
