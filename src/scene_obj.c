@@ -1,0 +1,142 @@
+/* Wavefront OBJ models: the geometry, line by line, so that a model of ten million faces needs no copy of its text.
+ * A line may be continued by a backslash at its end, as the format says. */
+#include "scene_obj.h"
+
+#include "scene_mtl.h"
+#include "words.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct ObjReader {
+    SceneBuild *build;
+    TextLines lines;
+    MtlLibrary library;
+    int material; /* of the faces that follow; -1: the object's own */
+    int face_count;
+} ObjReader;
+
+static bool read_vertex(ObjReader *reader, char *rest)
+{
+    SceneBuild *build = reader->build;
+    double c[8];
+    int count;
+    if (!word_numbers(&reader->lines, rest, c, 7, &count, build->error))
+        return false;
+    if (count < 3 || count == 5)
+        return word_fail(&reader->lines, build->error, "a vertex needs three coordinates, not %d", count);
+    if ((count == 4 || count == 7) && c[3] != 1)
+        return word_fail(&reader->lines, build->error, "a vertex with the weight %g; only 1 is supported", c[3]);
+    /* 6 or 7 numbers: a colour follows, which says nothing about the shape */
+    return build_point(build, vec3(c[0], c[1], c[2])) || word_fail(&reader->lines, build->error, "%s", build->reason);
+}
+
+/* The vertex of a reference a, a/b, a//c or a/b/c as an index from 0 within the object. Negative ones count backwards from
+ * the last vertex so far. b and c (texture, normal) must be numbers, but are not used. */
+static bool read_reference(const ObjReader *reader, const char *word, int *vertex)
+{
+    Error *error = reader->build->error;
+    int defined = build_point_count(reader->build);
+    long long parts[3] = {0, 0, 0};
+    const char *at = word;
+    for (int i = 0; i < 3; i++) {
+        char *end;
+        bool given = *at != '/' && *at != '\0';
+        bool digits = (*at >= '0' && *at <= '9') || (*at == '-' && at[1] >= '0' && at[1] <= '9');
+        parts[i] = given && digits ? strtoll(at, &end, 10) : 0;
+        bool may_lack = i == 1 && *at == '/';
+        if (!may_lack && parts[i] == 0)
+            return word_fail(&reader->lines, error, "%s is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)",
+                             text_quote(word).text);
+        at = given ? end : at;
+        if (*at == '\0')
+            break;
+        if (*at != '/' || i == 2)
+            return word_fail(&reader->lines, error, "%s is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)",
+                             text_quote(word).text);
+        at++;
+    }
+    long long index = parts[0] > 0 ? parts[0] - 1 : defined + parts[0];
+    if (index < 0 || index >= defined)
+        return word_fail(&reader->lines, error, "vertex %lld does not exist; %d are defined above this line", parts[0], defined);
+    *vertex = (int)index;
+    return true;
+}
+
+static bool read_face(ObjReader *reader, char *rest)
+{
+    SceneBuild *build = reader->build;
+    int vertices[4], count = 0;
+    for (char *word; *(word = word_next(&rest)); count++)
+        if (count < 4 && !read_reference(reader, word, &vertices[count]))
+            return false;
+    if (count < 3 || count > 4)
+        return word_fail(&reader->lines, build->error, "a face of %d vertices; 3 or 4 are supported", count);
+    reader->face_count++;
+    return build_face(build, vertices, count, reader->material, (int)reader->lines.line) ||
+           word_fail(&reader->lines, build->error, "%s", build->reason);
+}
+
+/* The scene's material of that name, then the libraries', else the object's own. */
+static bool use_material(ObjReader *reader, const char *name)
+{
+    SceneBuild *build = reader->build;
+    if (!*name)
+        return word_fail(&reader->lines, build->error, "usemtl without a name");
+    reader->material = names_find(&build->materials, name);
+    int own = reader->material < 0 ? names_find(&reader->library.names, name) : -1;
+    if (own < 0)
+        return true;
+    int *used_as = &reader->library.used_as[own];
+    if (*used_as < 0)
+        *used_as = build_material(build, reader->library.materials[own]);
+    reader->material = *used_as;
+    return *used_as >= 0;
+}
+
+static bool read_libraries(ObjReader *reader, char *rest)
+{
+    Error *error = reader->build->error;
+    char *name = word_next(&rest);
+    if (!*name)
+        return word_fail(&reader->lines, error, "mtllib without a file");
+    for (; *name; name = word_next(&rest)) {
+        char *path = text_beside(reader->lines.path, name, error);
+        Error reason = {.kind = ERROR_NONE};
+        if (!path)
+            return false;
+        if (!mtl_read(&reader->library, path, &reason))
+            return reason.kind == ERROR_INPUT ? word_fail(&reader->lines, error, "mtllib: %s", reason.text)
+                                              : error_set(error, reason.kind, "%s", reason.text);
+    }
+    return true;
+}
+
+static bool read_line(ObjReader *reader, char *line)
+{
+    char *rest = line;
+    const char *key = word_next(&rest);
+    if (strcmp(key, "v") == 0)
+        return read_vertex(reader, rest);
+    if (strcmp(key, "f") == 0)
+        return read_face(reader, rest);
+    if (strcmp(key, "usemtl") == 0)
+        return use_material(reader, word_rest(&rest));
+    if (strcmp(key, "mtllib") == 0)
+        return read_libraries(reader, rest);
+    return true;
+}
+
+bool obj_read(SceneBuild *build, const char *path)
+{
+    ObjReader reader = {.build = build, .material = -1};
+    bool good = text_open_lines(&reader.lines, path, build->error);
+    for (char *line; good && (line = text_next_line(&reader.lines, build->error));)
+        good = read_line(&reader, line);
+    good = good && build->error->kind == ERROR_NONE;
+    if (good && reader.face_count == 0)
+        good = error_set(build->error, ERROR_INPUT, "%s: holds no face", path);
+    text_close_lines(&reader.lines);
+    mtl_free(&reader.library);
+    return good;
+}
