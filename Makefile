@@ -197,9 +197,10 @@ lint: ## look for likely mistakes with clang-tidy (.clang-tidy) and cppcheck
 	@.ci/setup --check lint
 	@$(MAKE) --no-print-directory --silent $(FOUND)
 	@for file in $(wildcard src/*.c); do \
-	    echo "clang-tidy $$file"; \
-	    clang-tidy --quiet --warnings-as-errors='*' $$file -- $(STANDARD) -Isrc $(LIB_CFLAGS) || exit; \
-	done
+	    clang-tidy --quiet --warnings-as-errors='*' $$file -- $(STANDARD) -Isrc $(LIB_CFLAGS) 2>$(BUILD)/lint.log || \
+	        failed=yes; \
+	done; \
+	test -z "$$failed"
 	cppcheck --quiet --std=c99 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	    --suppress=missingIncludeSystem -Isrc -D_POSIX_C_SOURCE=200809L src
 
