@@ -3,14 +3,14 @@
 #include "reference_render.h"
 
 #include "clock.h"
+#include "parallel.h"
 #include "reference.h"
 
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-enum { BAND_ROWS = 32, MAX_THREADS = 256 };
+enum { BAND_ROWS = 32 };
 
 typedef struct Band {
     const Scene *scene;
@@ -42,7 +42,7 @@ static void add_counts(Band *band, const RenderReport *counts)
     pthread_mutex_unlock(&band->lock);
 }
 
-static void *render_rows(void *argument)
+static void render_rows(void *argument)
 {
     Band *band = argument;
     RenderReport counts = {0};
@@ -57,31 +57,12 @@ static void *render_rows(void *argument)
         }
     }
     add_counts(band, &counts);
-    return NULL;
-}
-
-/* The calling thread works too; a thread that cannot be started is done without. */
-static void render_band(Band *band, int threads)
-{
-    pthread_t others[MAX_THREADS];
-    int started = 0;
-    while (started < threads - 1 && pthread_create(&others[started], NULL, render_rows, band) == 0)
-        started++;
-    render_rows(band);
-    for (int i = 0; i < started; i++)
-        pthread_join(others[i], NULL);
-}
-
-static int thread_count(const RenderSettings *settings)
-{
-    long count = settings->threads > 0 ? settings->threads : sysconf(_SC_NPROCESSORS_ONLN);
-    return count < 1 ? 1 : count > MAX_THREADS ? MAX_THREADS : (int)count;
 }
 
 bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error)
 {
     memset(report, 0, sizeof *report);
-    report->threads = thread_count(settings);
+    report->threads = parallel_threads(settings->threads);
     report->lanes = 1;
     report->accel = ACCEL_NONE;
     strcpy(report->device, "reference");
@@ -96,7 +77,7 @@ bool reference_render(const Scene *scene, const RenderSettings *settings, BandSi
         Band band = {.scene = scene, .rgb = rgb, .first_row = row, .row_count = rows, .report = report};
         double start = clock_ms();
         pthread_mutex_init(&band.lock, NULL);
-        render_band(&band, report->threads);
+        parallel_run(report->threads, render_rows, &band);
         pthread_mutex_destroy(&band.lock);
         report->trace_ms += clock_ms() - start;
         ok = sink.band(sink.user, row, rows, rgb, report, error);

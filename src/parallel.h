@@ -1,0 +1,12 @@
+/* The same work on several threads at once. Floor 0. */
+#ifndef RECTRAY_PARALLEL_H
+#define RECTRAY_PARALLEL_H
+
+/* Threads to use when `wanted` are asked for: that many, or one per processor where wanted is 0; at least 1, at most 256. */
+int parallel_threads(int wanted);
+
+/* Calls work(data) on `threads` threads, the caller's among them, and returns when all have returned. A thread that cannot
+ * be started is done without: the work must share itself out by taking pieces until none is left. */
+void parallel_run(int threads, void (*work)(void *data), void *data);
+
+#endif
