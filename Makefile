@@ -8,7 +8,6 @@ PREFIX ?= /usr/local
 
 SCENE ?= scenes/cornell.json
 OUT   ?= $(BUILD)/$(basename $(notdir $(SCENE))).png
-PIXEL ?= 320,240
 
 # --- How to compile -------------------------------------------------------------------------------------------
 
