@@ -1,0 +1,208 @@
+/* Every option of every command. To add one: a line in the table with the commands that take it, and the
+ * function that sets its field in Options. Numbers are read strictly: digits, nothing before or after. */
+#include "option_table.h"
+
+#include "scene.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Values --- */
+
+/* Reads a whole number in [low, high] that ends at the character `end`. Returns where it ended, or NULL. */
+static const char *read_int(const char *text, int low, int high, char end, int *value)
+{
+    long number = 0;
+    const char *at = text;
+    for (; isdigit((unsigned char)*at); at++) {
+        number = number * 10 + (*at - '0');
+        if (number > high)
+            return NULL;
+    }
+    if (at == text || *at != end || number < low)
+        return NULL;
+    *value = (int)number;
+    return at;
+}
+
+/* The place of a word in a list that ends in NULL; -1 where it is not there. */
+static int word_index(const char *word, const char *const *words)
+{
+    for (int i = 0; words[i]; i++)
+        if (strcmp(words[i], word) == 0)
+            return i;
+    return -1;
+}
+
+static bool set_path(const char *value, const char **field)
+{
+    *field = value;
+    return value[0] != '\0';
+}
+
+/* --- One function per option. After false the field may hold anything. --- */
+
+static bool set_output(Options *o, const char *value)
+{
+    return set_path(value, &o->output);
+}
+
+static bool set_rays(Options *o, const char *value)
+{
+    return set_path(value, &o->rays);
+}
+
+static bool set_backend(Options *o, const char *value)
+{
+    static const char *const words[] = {"opencl", "reference", NULL};
+    int index = word_index(value, words);
+    o->backend = (Backend)index;
+    return index >= 0;
+}
+
+static bool set_precision(Options *o, const char *value)
+{
+    static const char *const words[] = {"float", "double", NULL};
+    int index = word_index(value, words);
+    o->settings.precision = (Precision)index;
+    o->precision_given = true;
+    return index >= 0;
+}
+
+static bool set_accel(Options *o, const char *value)
+{
+    static const char *const words[] = {"auto", "none", "kdtree", "bvh", NULL};
+    int index = word_index(value, words);
+    o->settings.accel = (AccelKind)index;
+    return index >= 0;
+}
+
+static bool set_progress(Options *o, const char *value)
+{
+    static const char *const words[] = {"auto", "always", "never", NULL};
+    int index = word_index(value, words);
+    o->progress = (ProgressMode)index;
+    return index >= 0;
+}
+
+static bool set_stats(Options *o, const char *value)
+{
+    static const char *const words[] = {"text", "json", NULL};
+    int index = value ? word_index(value, words) : 0;
+    o->stats = index == 0 ? STATS_TEXT : STATS_JSON;
+    return index >= 0;
+}
+
+static bool set_size(Options *o, const char *value)
+{
+    const char *x = read_int(value, 1, SCENE_MAX_PIXELS, 'x', &o->columns);
+    return x && read_int(x + 1, 1, SCENE_MAX_PIXELS, '\0', &o->rows);
+}
+
+static bool set_grid(Options *o, const char *value)
+{
+    return read_int(value, 1, SCENE_MAX_GRID, '\0', &o->grid);
+}
+
+static bool set_bounces(Options *o, const char *value)
+{
+    return read_int(value, 0, SCENE_MAX_BOUNCES, '\0', &o->bounces);
+}
+
+static bool set_threads(Options *o, const char *value)
+{
+    return read_int(value, 1, 1024, '\0', &o->settings.threads);
+}
+
+static bool set_device(Options *o, const char *value)
+{
+    return read_int(value, 0, 9999, '\0', &o->settings.device);
+}
+
+static bool set_lanes(Options *o, const char *value)
+{
+    static const char *const words[] = {"1", "4", "8", "16", NULL};
+    static const int lanes[] = {1, 4, 8, 16};
+    int index = word_index(value, words);
+    if (index >= 0)
+        o->settings.lanes = lanes[index];
+    return index >= 0;
+}
+
+static bool set_tolerance(Options *o, const char *value)
+{
+    int tolerance = 0;
+    bool ok = read_int(value, 0, 255, '\0', &tolerance) != NULL;
+    o->tolerance = tolerance;
+    return ok;
+}
+
+static bool set_geometry(Options *o, const char *value)
+{
+    (void)value;
+    return o->geometry = true;
+}
+
+static bool set_quiet(Options *o, const char *value)
+{
+    (void)value;
+    return o->quiet = true;
+}
+
+static bool set_help(Options *o, const char *value)
+{
+    (void)value;
+    return o->help = true;
+}
+
+static bool set_version(Options *o, const char *value)
+{
+    (void)value;
+    return o->version = true;
+}
+
+/* --- The table, in the order of --help --- */
+
+const Option option_table[] = {
+    {"output", 'o', "FILE", "render compare", set_output, "the name of a file, or - for standard output",
+     "write the picture there; - is standard output"},
+    {"size", 's', "COLUMNSxROWS", "render", set_size, "two whole numbers from 1 to 16384, such as 640x480",
+     "pixels of the picture, instead of the scene's"},
+    {"grid", 'g', "N", "render", set_grid, "a whole number from 1 to 16",
+     "N x N rays per pixel, instead of the scene's"},
+    {"bounces", 0, "N", "render", set_bounces, "a whole number from 0 to 64",
+     "at most N reflected rays in a row, instead of the scene's"},
+    {"rays", 'r', "FILE", "cast", set_rays, "the name of a file, or - for standard input",
+     "read the rays there instead of from standard input"},
+    {"geometry", 0, NULL, "check", set_geometry, NULL, "print every face as it is traced, exactly"},
+    {"tolerance", 0, "N", "compare", set_tolerance, "a whole number from 0 to 255",
+     "accept pictures that differ by up to N of 255 (default 0)"},
+    {"backend", 'b', "NAME", "render cast", set_backend, "opencl or reference",
+     "opencl (default), or reference: plain C in double"},
+    {"device", 'd', "N", "render cast", set_device, "a number that `rectray devices` lists",
+     "the OpenCL device, as `rectray devices` numbers them"},
+    {"precision", 'p', "NAME", "render cast", set_precision, "float or double",
+     "of the OpenCL kernel: float (default) or double"},
+    {"accel", 'a', "NAME", "render cast", set_accel, "auto, none, kdtree or bvh",
+     "auto (default), none, kdtree or bvh: how to find faces"},
+    {"lanes", 0, "N", "render cast", set_lanes, "1, 4, 8 or 16", "rays that an OpenCL work-item traces: 1, 4, 8 or 16"},
+    {"threads", 't', "N", "render", set_threads, "a whole number from 1 to 1024", "processors to use (default: all)"},
+    {"stats", 0, "[=FORMAT]", "render cast", set_stats, "text or json",
+     "tell what was done and how long it took: text or json"},
+    {"progress", 0, "WHEN", "render", set_progress, "auto, always or never",
+     "auto (default: on a terminal), always or never"},
+    {"quiet", 'q', NULL, "render check cast compare", set_quiet, NULL, "no messages but errors"},
+    {"help", 'h', NULL, "", set_help, NULL, "show this help"},
+    {"version", 'V', NULL, "", set_version, NULL, "show the version"},
+    {0},
+};
+
+bool option_belongs(const Option *option, const char *command)
+{
+    size_t length = strlen(command);
+    for (const char *at = option->commands; (at = strstr(at, command)) != NULL; at += length)
+        if ((at == option->commands || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
+            return true;
+    return option->commands[0] == '\0';
+}

@@ -1,0 +1,45 @@
+/* Every option there is, in one table from which parsing, messages and help are made. Floor 4. */
+#ifndef RECTRAY_OPTION_TABLE_H
+#define RECTRAY_OPTION_TABLE_H
+
+#include "progress.h"
+#include "render.h"
+#include "stats.h"
+
+enum { MAX_OPERANDS = 2 };
+
+/* What the user asked for. The strings are those of argv. */
+typedef struct Options {
+    const char *operands[MAX_OPERANDS]; /* the scene, or the pictures to compare */
+    int operand_count;
+    const char *output; /* NULL: not given; "-": stdout */
+    const char *rays;   /* NULL or "-": stdin */
+    Backend backend;
+    RenderSettings settings;
+    int columns, rows; /* 0: as the scene says, as is grid */
+    int grid;
+    int bounces;   /* -1: as the scene says */
+    int tolerance; /* of 255 */
+    StatsFormat stats;
+    ProgressMode progress;
+    bool precision_given;
+    bool quiet, geometry, help, version;
+} Options;
+
+typedef struct Option {
+    const char *name;     /* without the "--" */
+    char letter;          /* 0: none */
+    const char *argument; /* as help shows it; NULL: none; "[=NAME]": may be left out */
+    const char *commands; /* the commands that take it, separated by blanks; "": all */
+    bool (*set)(Options *options,
+                const char *value); /* false: not a proper value; the value is NULL where none was given */
+    const char *expects;            /* completes "expected ..." in the message about a wrong value */
+    const char *help;
+} Option;
+
+extern const Option option_table[]; /* ends in a NULL name */
+
+/* Whether the command takes the option. */
+bool option_belongs(const Option *option, const char *command);
+
+#endif
