@@ -1,0 +1,134 @@
+/* rectray render: a scene file in, a picture out. The backend hands on bands of rows; each is encoded at once, so
+ * that no more than a band of the picture is ever in memory. */
+#include "clock.h"
+#include "command.h"
+#include "image.h"
+#include "opencl.h"
+#include "progress.h"
+#include "reference_render.h"
+#include "scene_json.h"
+#include "stats.h"
+#include "text.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* What stands at the receiving end of the bands. */
+typedef struct Painter {
+    ImageWriter *writer;
+    Progress progress;
+    double encode_ms;
+    int rows; /* of the whole picture */
+} Painter;
+
+static bool paint_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
+                       Error *error)
+{
+    Painter *painter = user;
+    double start = clock_ms();
+    bool ok = image_writer_rows(painter->writer, rgb, rows, error);
+    painter->encode_ms += clock_ms() - start;
+    const RayCounts *rays = &so_far->rays;
+    progress_step(&painter->progress, (double)(first_row + rows) / painter->rows,
+                  rays->primary + rays->shadow + rays->reflection);
+    return ok;
+}
+
+/* The scene's name with ".png" for its extension, in the working directory. The caller frees it. */
+static char *default_output(const char *scene_path, Error *error)
+{
+    const char *slash = strrchr(scene_path, '/');
+    const char *name = slash ? slash + 1 : scene_path;
+    const char *dot = strrchr(name, '.');
+    int length = (int)(dot && dot != name ? dot - name : (long)strlen(name));
+    size_t size = (size_t)length + sizeof ".png";
+    char *output = malloc(size);
+    if (output)
+        snprintf(output, size, "%.*s.png", length, name);
+    else
+        error_memory(error, "the picture's name");
+    return output;
+}
+
+/* A slip of the hand, `-o scene.json`, must not cost the scene. */
+static bool spare_scene(const char *scene_path, const char *output, Error *error)
+{
+    struct stat a, b;
+    if (stat(scene_path, &a) == 0 && stat(output, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino)
+        return error_set(error, ERROR_USAGE, "the picture %s would replace the scene itself; choose another -o",
+                         output);
+    return true;
+}
+
+static bool trace(const Options *options, const Scene *scene, Painter *painter, RenderReport *report, Error *error)
+{
+    BandSink sink = {paint_band, painter};
+    painter->rows = scene->screen.rows;
+    painter->progress = progress_start(options->progress, options->quiet);
+    bool done = options->backend == BACKEND_REFERENCE ? reference_render(scene, &options->settings, sink, report, error)
+                                                      : opencl_render(scene, &options->settings, sink, report, error);
+    progress_end(&painter->progress);
+    return done;
+}
+
+/* Traces the scene into the file `output`. */
+static bool render(const Options *options, const Scene *scene, const char *output, Stats *stats, Error *error)
+{
+    double start = clock_ms();
+    Painter painter = {.writer = image_writer_open(output, scene->screen.columns, scene->screen.rows, error)};
+    if (!painter.writer)
+        return false;
+    painter.encode_ms = clock_ms() - start;
+    if (!trace(options, scene, &painter, &stats->report, error)) {
+        image_writer_abort(painter.writer);
+        return false;
+    }
+    start = clock_ms();
+    bool done = image_writer_commit(painter.writer, error);
+    stats->encode_ms = painter.encode_ms + clock_ms() - start;
+    return done;
+}
+
+static bool render_scene(const Options *options, const Scene *scene, Stats *stats, double start_ms, Error *error)
+{
+    char *output = options->output ? text_copy(options->output, error) : default_output(options->operands[0], error);
+    bool to_stdout = output && strcmp(output, "-") == 0;
+    bool done =
+        output && spare_scene(options->operands[0], output, error) && render(options, scene, output, stats, error);
+    stats->total_ms = clock_ms() - start_ms;
+    if (done && !options->quiet && !to_stdout)
+        fprintf(stderr, "%s: %d x %d pixels in %.2f s\n", output, scene->screen.columns, scene->screen.rows,
+                stats->total_ms / 1e3);
+    free(output);
+    return done && stats_print(to_stdout ? stderr : stdout, options->stats, stats, error);
+}
+
+/* What the command line says instead of the scene. The screen's width and height stay: other numbers of columns and rows
+ * cut the same view into other pixels. */
+static void override_scene(Scene *scene, const Options *options)
+{
+    if (options->columns > 0) {
+        scene->screen.columns = options->columns;
+        scene->screen.rows = options->rows;
+    }
+    if (options->grid > 0)
+        scene->grid = options->grid;
+    if (options->bounces >= 0)
+        scene->shading.max_bounces = options->bounces;
+}
+
+bool command_render(const Options *options, Error *error)
+{
+    double start = clock_ms();
+    Scene scene;
+    if (!scene_load(&scene, options->operands[0], error))
+        return false;
+    Stats stats = stats_begin(&scene, options->backend, options->settings.precision);
+    stats.parse_ms = clock_ms() - start;
+    options_note_unused(options);
+    override_scene(&scene, options);
+    bool done = render_scene(options, &scene, &stats, start, error);
+    scene_free(&scene);
+    return done;
+}

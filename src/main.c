@@ -1,0 +1,82 @@
+/* rectray: finds the command and lets it run. Only here an Error becomes a message and an exit status. */
+#include "command.h"
+#include "interrupt.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+#define VERSION "0.1"
+
+/* To add a command, see command.h. The fields: name, operands, how few and how many of them, what it does. */
+static const Command commands[] = {
+    {"render", "SCENE", 1, 1, "Renders a scene to a PNG picture.", command_render},
+    {"cast", "SCENE", 1, 1, "Intersects rays with a scene: lines `ox oy oz dx dy dz` in, CSV out.", command_cast},
+    {"check", "SCENE", 1, 1, "Validates a scene; tells what it holds, needs and can do without.", command_check},
+    {"compare", "A.png B.png", 2, 2, "Measures how far two pictures differ.", command_compare},
+    {"devices", "", 0, 0, "Lists the OpenCL devices.", command_devices},
+    {0},
+};
+
+/* A closed standard stream would give its number to the next file that is opened, and messages would go into the picture.
+ * Its place is taken by an end of /dev/null that fails, so that nobody takes lost output for written. */
+static void occupy_standard_streams(void)
+{
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
+        if (fcntl(stream, F_GETFD) < 0 && errno == EBADF)
+            (void)!open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+/* Output that only now turns out not to be writable is an error too. */
+static bool flush_output(Error *error)
+{
+    errno = 0;
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return true;
+    return error_set(error, ERROR_SYSTEM, "cannot write to standard output: %s",
+                     errno ? strerror(errno) : "write error");
+}
+
+static bool run(int argc, char **argv, Error *error)
+{
+    if (argc < 2) {
+        commands_print_help(stderr, commands);
+        return error_set(error, ERROR_USAGE, "a command is missing");
+    }
+    const char *name = argv[1];
+    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
+        commands_print_help(stdout, commands);
+        return true;
+    }
+    if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
+        printf("rectray %s\n", VERSION);
+        return true;
+    }
+    Options options;
+    const Command *command = command_find(commands, name, error);
+    if (!command || !options_parse(&options, command, argc - 1, argv + 1, error))
+        return false;
+    if (options.help)
+        command_print_help(stdout, command);
+    else if (options.version)
+        printf("rectray %s\n", VERSION);
+    else
+        return command->run(&options, error);
+    return true;
+}
+
+int main(int argc, char **argv)
+{
+    Error error = {0};
+    occupy_standard_streams();
+    interrupt_install();
+    if (run(argc, argv, &error))
+        flush_output(&error);
+    else
+        fflush(stdout);
+    /* A message about an input begins with the file's name, as compilers' do: editors find the place by it. */
+    if (error.kind != ERROR_NONE)
+        fprintf(stderr, "%s%s\n", error.kind == ERROR_INPUT ? "" : "rectray: ", error.text);
+    return (int)error.kind;
+}
