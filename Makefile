@@ -159,6 +159,10 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(BUILD)/tests/unity.o $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(LINK) $^ $(LIBS) -o $@
 
+# The exact oracle reckons in integers of any size.
+$(BUILD)/tests/test_oracle: $(BUILD)/tests/oracle.o
+$(BUILD)/tests/test_oracle: LIBS += -lgmp
+
 $(BUILD)/tests/unity.o: $(UNITY_DIR)/unity.c
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
