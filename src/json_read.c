@@ -79,7 +79,7 @@ bool json_number(const Json *json, const cJSON *item, double low, double high, d
     if (!cJSON_IsNumber(item))
         return json_fail_type(json, item, "a number");
     *value = item->valuedouble;
-    return (*value >= low && *value <= high) || json_fail(json, item, "must be from %g to %g, not %.17g", low, high, *value);
+    return (*value >= low && *value <= high) || json_fail(json, item, "must be from %g to %g, not %.15g", low, high, *value);
 }
 
 bool json_integer(const Json *json, const cJSON *item, int low, int high, int *value)
@@ -88,9 +88,9 @@ bool json_integer(const Json *json, const cJSON *item, int low, int high, int *v
         return json_fail_type(json, item, "a whole number");
     double number = item->valuedouble;
     if (number != floor(number))
-        return json_fail(json, item, "must be a whole number, not %.17g", number);
+        return json_fail(json, item, "must be a whole number, not %.15g", number);
     if (!(number >= low && number <= high))
-        return json_fail(json, item, "must be from %d to %d, not %.17g", low, high, number);
+        return json_fail(json, item, "must be from %d to %d, not %.15g", low, high, number);
     *value = (int)number;
     return true;
 }

@@ -71,7 +71,8 @@ int build_point_count(const SceneBuild *build) { return build->point_count - bui
 
 static bool describe(SceneBuild *build, Shape shape, const int *vertices)
 {
-    int first = vertices[shape.first], second = vertices[shape.second];
+    int from = build->object.first_number;
+    int first = vertices[shape.first] + from, second = vertices[shape.second] + from;
     switch (shape.verdict) {
     case SHAPE_REPEATED:
         if (first == second)
@@ -85,7 +86,7 @@ static bool describe(SceneBuild *build, Shape shape, const int *vertices)
                     first, shape.distance, 1e-5 * shape.diagonal);
     case SHAPE_CONCAVE: return fail(build, "the face is not convex: it turns the other way at vertex %d", first);
     case SHAPE_CROSSED: return fail(build, "the face is a bow-tie: two of its sides cross; list its vertices in order around it");
-    case SHAPE_NOT_FINITE:
+    case SHAPE_NOT_FINITE: /* build_point has excluded it */
     case SHAPE_GOOD: break;
     }
     return true;

@@ -20,6 +20,7 @@ typedef struct BuildObject {
     bool front_only, split;
     bool mirrored; /* set by build_object: the transform turns a right hand into a left one */
     int first_point;
+    int first_number; /* how the file counts its vertices: from 0, an OBJ from 1 */
 } BuildObject;
 
 /* A face before it is rounded: four numbers of points instead of four points. */

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static bool fail_face(SceneBuild *build, const BuildFace *face, const char *reason)
+static bool fail(SceneBuild *build, const BuildFace *face, const char *reason)
 {
     snprintf(build->reason, sizeof build->reason, "%s", reason);
     build->fault = face;
@@ -46,32 +46,47 @@ static bool round_face(SceneBuild *build, const BuildFace *from, Face *face)
         int i = k < from->vertex_count ? k : 0;
         Vec3 p = vec3_sub(build->points[from->points[i]], build->scene->centre);
         if (!in_range(p))
-            return fail_face(build, from, "the face reaches more than 1e12 units from the centre of the scene");
+            return fail(build, from, "the face reaches more than 1e12 units from the centre of the scene");
         face->vertices[k][0] = (float)p.x;
         face->vertices[k][1] = (float)p.y;
         face->vertices[k][2] = (float)p.z;
         rounded[k] = face_vertex(face, k);
     }
     if (shape_of_rounded(rounded, face->vertex_count).verdict)
-        return fail_face(build, from,
+        return fail(build, from,
                          "the face is too small for its distance from the centre of the scene: rounded to float32 it "
                          "loses its area or its shape");
     return true;
 }
 
-static bool move_camera_and_lights(SceneBuild *build)
+/* The direction from the camera to where it looks must survive the move: far from the centre, a look_at very near to the
+ * camera would be rounded to another direction, or onto the camera. */
+static bool move_camera(SceneBuild *build)
+{
+    Camera *camera = &build->scene->camera;
+    Vec3 before = vec3_sub(camera->look_at, camera->position);
+    camera->position = vec3_sub(camera->position, build->scene->centre);
+    camera->look_at = vec3_sub(camera->look_at, build->scene->centre);
+    build->fault_light = -1;
+    if (!in_range(camera->position) || !in_range(camera->look_at))
+        return fail(build, NULL, "the camera is more than 1e12 units from the centre of the scene");
+    Vec3 after = vec3_sub(camera->look_at, camera->position);
+    double length = vec3_length(after);
+    if (!(length > 0 && vec3_length(vec3_sub(after, before)) <= 1e-9 * length))
+        return fail(build, NULL, "\"look_at\" is too near to \"position\" for their distance from the centre of the scene");
+    return true;
+}
+
+static bool move_lights(SceneBuild *build)
 {
     Scene *scene = build->scene;
-    scene->camera.position = vec3_sub(scene->camera.position, scene->centre);
-    scene->camera.look_at = vec3_sub(scene->camera.look_at, scene->centre);
-    bool good = in_range(scene->camera.position) && in_range(scene->camera.look_at);
-    build->fault_light = -1;
-    for (int i = 0; good && i < scene->light_count; i++) {
+    for (int i = 0; i < scene->light_count; i++) {
         scene->lights[i].position = vec3_sub(scene->lights[i].position, scene->centre);
-        good = in_range(scene->lights[i].position);
         build->fault_light = i;
+        if (!in_range(scene->lights[i].position))
+            return fail(build, NULL, "the light is more than 1e12 units from the centre of the scene");
     }
-    return good || fail_face(build, NULL, "more than 1e12 units from the centre of the scene");
+    return true;
 }
 
 bool build_finish(SceneBuild *build)
@@ -79,8 +94,6 @@ bool build_finish(SceneBuild *build)
     Scene *scene = build->scene;
     int count = build->face_count;
     scene->centre = centre_of(build);
-    if (!move_camera_and_lights(build))
-        return false;
     scene->faces = malloc((size_t)count * sizeof *scene->faces + 1); /* + 1: not NULL for no faces */
     scene->planes = malloc((size_t)count * sizeof *scene->planes + 1);
     if (!scene->faces || !scene->planes)
@@ -92,5 +105,5 @@ bool build_finish(SceneBuild *build)
         scene->objects[scene->faces[i].object].face_count++;
     }
     scene->face_count = count;
-    return true;
+    return move_camera(build) && move_lights(build);
 }

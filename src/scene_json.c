@@ -36,17 +36,18 @@ static bool read_camera(const Json *json, const cJSON *item, Camera *camera)
     if (!json_members(json, item, keys, JSON_COUNT(keys)) || !read_point(json, keys[0].item, &camera->position) ||
         !read_point(json, keys[1].item, &camera->look_at) || (keys[2].item && !read_point(json, keys[2].item, &camera->up)))
         return false;
-    const cJSON *up_place = keys[2].item ? keys[2].item : item;
-    Vec3 view = tamed(vec3_sub(camera->look_at, camera->position));
-    camera->up = tamed(camera->up);
+    Vec3 view = vec3_sub(camera->look_at, camera->position);
     if (!vec3_is_finite(view))
         return json_fail(json, item, "\"position\" and \"look_at\" are too far apart");
-    if (vec3_length(vec3_sub(camera->look_at, camera->position)) < 1e-100)
+    view = tamed(view);
+    camera->up = tamed(camera->up);
+    if (vec3_length(view) == 0)
         return json_fail(json, keys[1].item, "the camera looks at its own position: there is no direction");
     if (vec3_length(camera->up) == 0)
-        return json_fail(json, up_place, "\"up\" has no direction: it is zero");
+        return json_fail(json, keys[2].item, "\"up\" has no direction: it is zero");
     if (vec3_length(vec3_cross(vec3_unit(view), vec3_unit(camera->up))) < 1e-9)
-        return json_fail(json, up_place, "\"up\" is parallel to the view (its default is [0, 1, 0])");
+        return keys[2].item ? json_fail(json, keys[2].item, "\"up\" is parallel to the view")
+                            : json_fail(json, item, "the view is parallel to \"up\", which is [0, 1, 0] unless given");
     return true;
 }
 

@@ -1,5 +1,4 @@
-/* Wavefront OBJ models: the geometry, line by line, so that a model of ten million faces needs no copy of its text.
- * A line may be continued by a backslash at its end, as the format says. */
+/* Wavefront OBJ models: the geometry, line by line, so that a model of ten million faces needs no copy of its text. */
 #include "scene_obj.h"
 
 #include "scene_mtl.h"
@@ -31,35 +30,51 @@ static bool read_vertex(ObjReader *reader, char *rest)
     return build_point(build, vec3(c[0], c[1], c[2])) || word_fail(&reader->lines, build->error, "%s", build->reason);
 }
 
-/* The vertex of a reference a, a/b, a//c or a/b/c as an index from 0 within the object. Negative ones count backwards from
- * the last vertex so far. b and c (texture, normal) must be numbers, but are not used. */
+/* Cuts a whole number that is not 0 off the text. */
+static bool cut_integer(const char **at, long long *value)
+{
+    const char *digits = *at + (**at == '-');
+    if (*digits < '0' || *digits > '9')
+        return false;
+    char *end;
+    *value = strtoll(*at, &end, 10);
+    *at = end;
+    return *value != 0;
+}
+
+/* a, a/b, a//c or a/b/c. b and c (texture, normal) must be numbers, but are not used. */
+static bool parse_reference(const char *at, long long *vertex)
+{
+    long long unused;
+    if (!cut_integer(&at, vertex))
+        return false;
+    if (*at == '/' && at[1] != '/') {
+        at++;
+        if (!cut_integer(&at, &unused))
+            return false;
+        if (*at == '/') {
+            at++;
+            return cut_integer(&at, &unused) && !*at;
+        }
+    } else if (*at == '/') {
+        at += 2;
+        return cut_integer(&at, &unused) && !*at;
+    }
+    return !*at;
+}
+
+/* The referred vertex as an index from 0 within the object. Negative references count back from the last vertex so far. */
 static bool read_reference(const ObjReader *reader, const char *word, int *vertex)
 {
     Error *error = reader->build->error;
     int defined = build_point_count(reader->build);
-    long long parts[3] = {0, 0, 0};
-    const char *at = word;
-    for (int i = 0; i < 3; i++) {
-        char *end;
-        bool given = *at != '/' && *at != '\0';
-        bool digits = (*at >= '0' && *at <= '9') || (*at == '-' && at[1] >= '0' && at[1] <= '9');
-        parts[i] = given && digits ? strtoll(at, &end, 10) : 0;
-        bool may_lack = i == 1 && *at == '/';
-        if (!may_lack && parts[i] == 0)
-            return word_fail(&reader->lines, error, "%s is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)",
-                             text_quote(word).text);
-        at = given ? end : at;
-        if (*at == '\0')
-            break;
-        if (*at != '/' || i == 2)
-            return word_fail(&reader->lines, error, "%s is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)",
-                             text_quote(word).text);
-        at++;
-    }
-    long long index = parts[0] > 0 ? parts[0] - 1 : defined + parts[0];
-    if (index < 0 || index >= defined)
-        return word_fail(&reader->lines, error, "vertex %lld does not exist; %d are defined above this line", parts[0], defined);
-    *vertex = (int)index;
+    long long number;
+    if (!parse_reference(word, &number))
+        return word_fail(&reader->lines, error, "%s is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)",
+                         text_quote(word).text);
+    if (number > defined || number < -defined)
+        return word_fail(&reader->lines, error, "vertex %lld does not exist; %d are defined above this line", number, defined);
+    *vertex = (int)(number > 0 ? number - 1 : defined + number);
     return true;
 }
 
@@ -67,7 +82,7 @@ static bool read_face(ObjReader *reader, char *rest)
 {
     SceneBuild *build = reader->build;
     int vertices[4], count = 0;
-    for (char *word; *(word = word_next(&rest)); count++)
+    for (char *word = word_next(&rest); *word; word = word_next(&rest), count++)
         if (count < 4 && !read_reference(reader, word, &vertices[count]))
             return false;
     if (count < 3 || count > 4)
@@ -130,6 +145,7 @@ static bool read_line(ObjReader *reader, char *line)
 bool obj_read(SceneBuild *build, const char *path)
 {
     ObjReader reader = {.build = build, .material = -1};
+    build->object.first_number = 1;
     bool good = text_open_lines(&reader.lines, path, build->error);
     for (char *line; good && (line = text_next_line(&reader.lines, build->error));)
         good = read_line(&reader, line);

@@ -99,7 +99,7 @@ static bool read_box(const Json *json, const cJSON *item, SceneBuild *build)
     const double lows[] = {low.x, low.y, low.z}, highs[] = {high.x, high.y, high.z};
     for (int i = 0; i < 3; i++)
         if (!(lows[i] < highs[i]))
-            return json_fail(json, item, "\"min\" must be below \"max\" on every axis; in %c it is %.17g, and \"max\" %.17g",
+            return json_fail(json, item, "\"min\" must be below \"max\" on every axis; in %c it is %.15g, and \"max\" %.15g",
                              "xyz"[i], lows[i], highs[i]);
     return build_box(build, low, high) || fail_build(json, item, build);
 }
@@ -186,7 +186,12 @@ bool objects_fail_face(const Json *json, const cJSON *objects, const SceneBuild 
     const cJSON *faces = cJSON_GetObjectItemCaseSensitive(object, "faces");
     const cJSON *box = cJSON_GetObjectItemCaseSensitive(object, "box");
     const cJSON *obj = cJSON_GetObjectItemCaseSensitive(object, "obj");
-    if (obj) /* its path is that of the model as seen from the scene's folder */
-        return json_fail(json, obj, "line %d of the model: %s", build->fault->place, build->reason);
+    if (obj) {
+        char *path = text_beside(json->name, obj->valuestring, json->error);
+        if (path)
+            error_set(json->error, ERROR_INPUT, "%s:%d: %s", path, build->fault->place, build->reason);
+        free(path);
+        return false;
+    }
     return fail_build(json, box ? box : cJSON_GetArrayItem(faces, build->fault->place), build);
 }
