@@ -13,16 +13,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const char *volatile guarded; /* the file to remove, NULL for none */
+static const char *volatile guarded;      /* the file to remove, NULL for none */
+static volatile sig_atomic_t on_terminal; /* whether stderr is one */
 
 static void stop(int signal)
 {
-    static const char without_file[] = "\nrectray: interrupted\n";
-    static const char with_file[] = "\nrectray: interrupted; the picture was not written\n";
+    static const char without_file[] = "rectray: interrupted\n";
+    static const char with_file[] = "rectray: interrupted; the picture was not written\n";
     const char *path = guarded;
-    bool removed = path && unlink(path) == 0; /* not removed: it has just got its final name */
-    ssize_t ignored = removed ? write(STDERR_FILENO, with_file, sizeof with_file - 1)
-                              : write(STDERR_FILENO, without_file, sizeof without_file - 1);
+    bool removed = path && unlink(path) == 0;                          /* not removed: it has just got its final name */
+    ssize_t ignored = on_terminal ? write(STDERR_FILENO, "\n", 1) : 0; /* the line of the progress, and the ^C */
+    ignored = removed ? write(STDERR_FILENO, with_file, sizeof with_file - 1)
+                      : write(STDERR_FILENO, without_file, sizeof without_file - 1);
     (void)ignored;
     _exit(128 + signal);
 }
@@ -40,6 +42,7 @@ static void catch (int signal, void (*handler)(int))
 void interrupt_install(void)
 {
     struct sigaction hangup;
+    on_terminal = isatty(STDERR_FILENO);
     catch (SIGINT, stop);
     catch (SIGTERM, stop);
     /* nohup starts us with SIGHUP ignored, and means it. */
