@@ -146,6 +146,22 @@ static WideVec vec_to_wide(Vec a)
     return w;
 }
 
+/* x to the power y, lane by lane in double: PoCL 3.1's pow of vectors of doubles is wrong, by up to infinity, where the lanes
+ * take different branches of it (its pow of scalars and of vectors of floats is right). */
+static Lanes power(Lanes x, Lanes y)
+{
+#if REAL_DOUBLE && LANES > 1
+    real base[LANES], exponent[LANES];
+    STORE(x, base);
+    STORE(y, exponent);
+    for (int i = 0; i < LANES; i++)
+        base[i] = pow(base[i], exponent[i]);
+    return LOAD(base);
+#else
+    return pow(x, y);
+#endif
+}
+
 /* How many lanes of the mask are set. */
 static uint mask_count(Mask mask)
 {

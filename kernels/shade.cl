@@ -93,7 +93,7 @@ static Vec illuminate(const Surface *surface, global const real *light, Vec l, V
     Vec shine = vec_multiply(surface->specular, vec_row(light + LIGHT_SPECULAR));
     Vec specular = vec(0, 0, 0);
     if (ANY(reaches & (IS(shine.x > (Lanes)0) | IS(shine.y > (Lanes)0) | IS(shine.z > (Lanes)0))))
-        specular = vec_scale(pow(n_dot_h, surface->exponent), shine);
+        specular = vec_scale(power(n_dot_h, surface->exponent), shine);
     return vec_select(reaches, vec_add(vec_add(ambient, diffuse), specular), ambient);
 }
 
