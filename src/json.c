@@ -36,13 +36,15 @@ static Message excerpt_of(const Json *json, const char *start_of_line, const cha
         begin++;
     while (stop < end && *stop != '\n' && *stop != '\r' && stop - begin < WINDOW)
         stop++;
-    while (stop < end && is_continuation(stop) && stop > place)
-        stop--;
     const char *dots = begin > start_of_line ? "..." : "";
     Message message = {.length = 0};
     append(&message, "  %s", dots);
-    for (const char *c = begin; c < stop; c++)
-        append(&message, "%c", ((unsigned char)*c < 0x20 && *c != '\t') || *c == 0x7F ? '?' : *c);
+    for (const char *c = begin; c < stop;) {
+        int length = text_utf8_length(c);
+        bool shown = length > 0 && c + length <= stop && ((unsigned char)*c >= 0x20 || *c == '\t') && *c != 0x7F;
+        append(&message, "%.*s", shown ? length : 1, shown ? c : "?");
+        c += shown ? length : 1;
+    }
     append(&message, "\n  %*s", (int)strlen(dots), "");
     for (const char *c = begin; c < place; c++)
         if (!is_continuation(c))

@@ -1,7 +1,7 @@
 /* JSON with places: cJSON's tree, read strictly, and errors that say file, line, column, path and reason.
  * cJSON is lenient (007, text after the end, repeated keys) and keeps no places. So the text is first scanned
  * by the grammar of RFC 8259, and a place is looked up only when an error needs it: the tree keeps the order of the
- * text, so the n-th value of the one is the n-th value of the other. Floor 2. */
+ * text, so the n-th value of the one is the n-th value of the other. Floor 3. */
 #ifndef RECTRAY_JSON_H
 #define RECTRAY_JSON_H
 

@@ -1,5 +1,5 @@
 /* Typed values out of a JSON tree: each function takes what it wants or fails with the place and the reason.
- * Nothing is converted, nothing defaulted. To read a new object, list its keys in a table of JsonMember. Floor 3. */
+ * Nothing is converted, nothing defaulted. To read a new object, list its keys in a table of JsonMember. Floor 4. */
 #ifndef RECTRAY_JSON_READ_H
 #define RECTRAY_JSON_READ_H
 

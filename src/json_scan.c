@@ -1,10 +1,11 @@
 /* The grammar of JSON (RFC 8259), a function for each kind of token and a stack of open brackets. */
 #include "json_scan.h"
 
+#include "text.h"
+
 #include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,20 +48,6 @@ static const char *skip_blanks(const char *at)
     return at;
 }
 
-/* Bytes of the UTF-8 sequence at `c`; 0 if it is none (Unicode standard, table 3-7). */
-static int utf8_length(const char *c)
-{
-    const unsigned char *u = (const unsigned char *)c;
-    int length = u[0] < 0x80 ? 1 : u[0] < 0xC2 ? 0 : u[0] < 0xE0 ? 2 : u[0] < 0xF0 ? 3 : u[0] < 0xF5 ? 4 : 0;
-    for (int i = 1; i < length; i++)
-        if ((u[i] & 0xC0) != 0x80)
-            return 0;
-    bool overlong = (u[0] == 0xE0 && u[1] < 0xA0) || (u[0] == 0xF0 && u[1] < 0x90);
-    bool surrogate = u[0] == 0xED && u[1] > 0x9F;
-    bool beyond = u[0] == 0xF4 && u[1] > 0x8F;
-    return overlong || surrogate || beyond ? 0 : length;
-}
-
 /* The four hexadecimal digits after \u, or -1. */
 static int hex4(const char *c)
 {
@@ -100,7 +87,7 @@ static bool scan_string(Scan *scan)
 {
     const char *start = scan->at++;
     while (*scan->at != '"') {
-        int length = utf8_length(scan->at);
+        int length = text_utf8_length(scan->at);
         if (scan->at == scan->end || *scan->at == '\n' || *scan->at == '\r')
             return fault(scan, start, "the string has no closing '\"' on its line");
         if (length == 0)

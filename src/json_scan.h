@@ -1,4 +1,4 @@
-/* The grammar of JSON (RFC 8259), checked without building anything and without recursion. Floor 1. */
+/* The grammar of JSON (RFC 8259), checked without building anything and without recursion. Floor 2. */
 #ifndef RECTRAY_JSON_SCAN_H
 #define RECTRAY_JSON_SCAN_H
 

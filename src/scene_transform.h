@@ -1,5 +1,5 @@
 /* The "transform" of an object: a list of steps scale, rotate, translate. To add a kind of step, add a key to
- * read_step's table and a function to transform.h. Floor 4. */
+ * read_step's table and a function to transform.h. Floor 5. */
 #ifndef RECTRAY_SCENE_TRANSFORM_H
 #define RECTRAY_SCENE_TRANSFORM_H
 

@@ -174,6 +174,19 @@ Quoted text_quote(const char *name)
     return quoted;
 }
 
+int text_utf8_length(const char *c)
+{
+    const unsigned char *u = (const unsigned char *)c;
+    int length = u[0] < 0x80 ? 1 : u[0] < 0xC2 ? 0 : u[0] < 0xE0 ? 2 : u[0] < 0xF0 ? 3 : u[0] < 0xF5 ? 4 : 0;
+    for (int i = 1; i < length; i++)
+        if ((u[i] & 0xC0) != 0x80)
+            return 0;
+    bool overlong = (u[0] == 0xE0 && u[1] < 0xA0) || (u[0] == 0xF0 && u[1] < 0x90);
+    bool surrogate = u[0] == 0xED && u[1] > 0x9F;
+    bool beyond = u[0] == 0xF4 && u[1] > 0x8F;
+    return overlong || surrogate || beyond ? 0 : length;
+}
+
 bool text_number(const char *word, double *value)
 {
     if (!*word || word[strspn(word, "+-.0123456789eE")]) /* keeps out what else strtod takes */

@@ -47,6 +47,9 @@ typedef struct Quoted {
 
 Quoted text_quote(const char *name);
 
+/* Bytes of the UTF-8 sequence at `c`; 0 if it is none (Unicode standard, table 3-7). */
+int text_utf8_length(const char *c);
+
 /* A decimal number as C prints them (1, -1.5, .5, 1., 2e-3), all of the word and finite; not hexadecimal, inf or nan. */
 bool text_number(const char *word, double *value);
 
