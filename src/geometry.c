@@ -27,11 +27,18 @@ View view_of(const Scene *scene)
     };
 }
 
+ScreenPoint view_screen_point(const View *view, int column, int row, int i, int j)
+{
+    return (ScreenPoint){
+        .x = ((column + (i + 0.5) / view->grid) / view->columns - 0.5) * view->width,
+        .y = (0.5 - (row + (j + 0.5) / view->grid) / view->rows) * view->height,
+    };
+}
+
 Vec3 view_direction(const View *view, int column, int row, int i, int j)
 {
-    double x = ((column + (i + 0.5) / view->grid) / view->columns - 0.5) * view->width;
-    double y = (0.5 - (row + (j + 0.5) / view->grid) / view->rows) * view->height;
-    return vec3_add(vec3_add(view->forward, vec3_scale(x, view->right)), vec3_scale(y, view->up));
+    ScreenPoint at = view_screen_point(view, column, row, i, j);
+    return vec3_add(vec3_add(view->forward, vec3_scale(at.x, view->right)), vec3_scale(at.y, view->up));
 }
 
 Vec3 face_vertex(const Face *face, int index)

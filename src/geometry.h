@@ -23,7 +23,15 @@ typedef struct View {
 /* The scene's view. The camera must have passed the reader's checks: look_at != position, up not parallel to the view. */
 View view_of(const Scene *scene);
 
-/* The direction R = Q - C to the centre of sub-pixel (i, j) of pixel (column, row), row 0 at the top. */
+/* A point of the screen, from its centre: x along right, y along up. */
+typedef struct ScreenPoint {
+    double x, y;
+} ScreenPoint;
+
+/* The centre of sub-pixel (i, j) of pixel (column, row), row 0 at the top. */
+ScreenPoint view_screen_point(const View *view, int column, int row, int i, int j);
+
+/* The direction R = Q - C to that point. */
 Vec3 view_direction(const View *view, int column, int row, int i, int j);
 
 /* The plane through vertex 0 with the unit normal of the diagonals, N = unit((v2 - v0) x (v3 - v1)): for a triangle,
@@ -40,6 +48,7 @@ typedef enum FaceVerdict {
     FACE_OUTSIDE,  /* the plane is hit outside edge `outside_edge` */
     FACE_INSIDE,   /* hit */
     FACE_LEFT,     /* the face that the ray leaves: not tested */
+    FACE_VERDICT_COUNT
 } FaceVerdict;
 
 /* One face against one ray, with every number of the walkthrough. Values that were not needed stay 0. */
@@ -49,7 +58,7 @@ typedef struct FaceTest {
     double n_dot_o_plus_d; /* N.O + D, as N.(O - v0), its sign exact */
     double t;
     int edges;             /* edges evaluated: 0, 3 or 4 */
-    double edge_value[4];  /* dot(N, cross(e, c)) of edge k = v[k] -> v[k+1], times |N.R| */
+    double edge_value[4];  /* dot(N, cross(e, c)) of edge k = v[k] -> v[k+1] */
     int edge_sign[4];      /* its exact sign: -1, 0, +1; 0 is on the edge's line */
     int outside_edge;      /* the first edge whose sign contradicts an earlier one's; -1 where none does */
 } FaceTest;

@@ -22,6 +22,7 @@ typedef enum EventKind {
     EVENT_REFLECTED,    /* the path goes on */
     EVENT_PATH_END,     /* why the path ended */
     EVENT_PIXEL,        /* the average and the bytes */
+    EVENT_TALLY,        /* not the tracer's: the walkthrough's count of a ray's faces, by verdict */
     EVENT_KIND_COUNT
 } EventKind;
 
@@ -37,12 +38,12 @@ typedef enum PathEnd {
 typedef struct Event {
     EventKind kind;
     union {
-        struct { int column, row, i, j; Vec3 c, q, r; } sample; /* C, Q, R */
-        struct { int face; FaceTest test; double nearest_t; } face; /* nearest_t: the nearest before this face, HUGE_VAL if none */
+        struct { int column, row, i, j; ScreenPoint at; Vec3 c, q, r; } sample; /* C, Q, R */
+        struct { int face; FaceTest test; double nearest_t; } face; /* nearest_t: of the faces before, HUGE_VAL if none */
         struct { int node; int faces; int level; bool visited; } node; /* faces: in a leaf, 0 in an inner node */
-        struct { int face; double t; Vec3 point, normal, shifted; int step; } hit; /* normal turned to the ray; step: 0 for the first hit */
+        struct { int face; FaceTest test; Vec3 point, normal, shifted; int step; } hit; /* normal turned to the ray; step: 0 for the first hit */
         struct { Vec3 background, weight_times_background; double weight; } miss;
-        struct { int light; Vec3 position, to_light; double distance, n_dot_l_plane; Vec3 l, shadow_origin; } light; /* n_dot_l_plane: n.(light - v0), its sign decides */
+        struct { int light, side; Vec3 position, to_light; double distance, height; Vec3 l, shadow_origin; } light; /* height: N.(light - v0), over the face's plane; side: its exact sign */
         struct { int face; FaceTest test; } occluder;
         struct { int light; LightVerdict verdict; int blocker; } light_end; /* blocker: a face or -1 */
         struct { int light; Illumination illumination; Vec3 l, v, sum; double exponent; bool ambient_only; } terms; /* sum: this light's */
@@ -50,6 +51,7 @@ typedef struct Event {
         struct { Vec3 r_unit, direction, origin; double reflection, weight; int bounce; } reflected; /* bounce: 1 for the first */
         struct { PathEnd reason; Vec3 colour; int bounces; } path_end; /* colour: of this sample */
         struct { Vec3 sum, average, clamped; int samples; unsigned char rgb[3]; } pixel;
+        struct { int tested, verdicts[FACE_VERDICT_COUNT]; bool shadow; } tally; /* shadow: of a shadow ray */
     } as;
 } Event;
 

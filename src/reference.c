@@ -71,7 +71,8 @@ static LightVerdict look_at_light(const Scene *scene, const Hit *hit, int index,
     const Light *light = &scene->lights[index];
     /* All points of the face see the light on the same side of its plane, so the plane decides: N.L <= 0. */
     int side = plane_side(&scene->faces[hit->face], &scene->planes[hit->face], light->position);
-    bool behind = (hit->test.n_dot_r > 0 ? -side : side) <= 0;
+    side = hit->test.n_dot_r > 0 ? -side : side;
+    bool behind = side <= 0;
     int blocker = -1;
     if (behind)
         report->skipped_light_behind++;
@@ -79,7 +80,7 @@ static LightVerdict look_at_light(const Scene *scene, const Hit *hit, int index,
         Vec3 to_light = vec3_sub(light->position, hit->point);
         Vec3 from_vertex = vec3_sub(light->position, face_vertex(&scene->faces[hit->face], 0));
         tell(recorder, (Event){.kind = EVENT_LIGHT,
-                               .as.light = {index, light->position, to_light, vec3_length(to_light),
+                               .as.light = {index, side, light->position, to_light, vec3_length(to_light),
                                             side == 0 ? 0 : vec3_dot(hit->normal, from_vertex), unit_or_zero(to_light),
                                             hit->shifted}});
     }
@@ -154,7 +155,7 @@ static Vec3 trace_path(const Scene *scene, Ray ray, RenderReport *report, const 
             place_hit(scene, ray, &hit);
             if (recorder)
                 tell(recorder, (Event){.kind = EVENT_HIT,
-                                       .as.hit = {hit.face, hit.test.t, hit.point, hit.normal, hit.shifted, bounces}});
+                                       .as.hit = {hit.face, hit.test, hit.point, hit.normal, hit.shifted, bounces}});
             const Material *material = &scene->materials[scene->faces[hit.face].material];
             Vec3 r = vec3_unit(ray.direction);
             Vec3 v = scene->shading.viewer == VIEWER_RAY
@@ -192,8 +193,8 @@ Vec3 reference_sample(const Scene *scene, int column, int row, int i, int j, Ren
     report->rays.primary++;
     if (recorder)
         tell(recorder, (Event){.kind = EVENT_SAMPLE,
-                               .as.sample = {column, row, i, j, ray.origin, vec3_add(ray.origin, ray.direction),
-                                             ray.direction}});
+                               .as.sample = {column, row, i, j, view_screen_point(&view, column, row, i, j), ray.origin,
+                                             vec3_add(ray.origin, ray.direction), ray.direction}});
     return trace_path(scene, ray, report, recorder);
 }
 
