@@ -3,6 +3,7 @@
  * and the tree comes out the same whoever built what. */
 #include "bvh.h"
 
+#include "geometry.h"
 #include "parallel.h"
 
 #include <float.h>
@@ -37,39 +38,6 @@ typedef struct Split {
     int axis, bin; /* faces whose bin on the axis is <= bin go left */
     double cost;   /* infinite where no split was found */
 } Split;
-
-Box box_empty(void)
-{
-    return (Box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
-}
-
-Box box_union(Box a, Box b)
-{
-    for (int axis = 0; axis < 3; axis++) {
-        a.low[axis] = b.low[axis] < a.low[axis] ? b.low[axis] : a.low[axis];
-        a.high[axis] = b.high[axis] > a.high[axis] ? b.high[axis] : a.high[axis];
-    }
-    return a;
-}
-
-Box box_of_face(const Face *face)
-{
-    Box box = box_empty();
-    for (int k = 0; k < 4; k++) {
-        Box point;
-        memcpy(point.low, face->vertices[k], sizeof point.low);
-        memcpy(point.high, face->vertices[k], sizeof point.high);
-        box = box_union(box, point);
-    }
-    return box;
-}
-
-double box_half_area(Box box)
-{
-    double x = (double)box.high[0] - (double)box.low[0], y = (double)box.high[1] - (double)box.low[1];
-    double z = (double)box.high[2] - (double)box.low[2];
-    return x < 0 ? 0 : x * y + y * z + z * x;
-}
 
 /* Twice the middle of a box on an axis. */
 static double box_middle(const Box *box, int axis) { return (double)box->low[axis] + (double)box->high[axis]; }
@@ -246,7 +214,7 @@ bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error)
     bool ok = bvh->nodes && bvh->order && builder.boxes && builder.tasks;
     if (ok) {
         for (size_t i = 0; i < count; i++)
-            builder.boxes[i] = (FaceBox){box_of_face(&scene->faces[i]), (int)i};
+            builder.boxes[i] = (FaceBox){face_box(&scene->faces[i], &scene->planes[i]), (int)i};
         builder.task_size = scene->face_count / TASKS > MIN_TASK ? scene->face_count / TASKS : MIN_TASK;
         pthread_mutex_init(&builder.lock, NULL);
         build_child(&builder, (Task){0, 0, scene->face_count, 0}, true);

@@ -4,11 +4,8 @@
 #ifndef RECTRAY_BVH_H
 #define RECTRAY_BVH_H
 
+#include "box.h"
 #include "scene.h"
-
-typedef struct Box {
-    float low[3], high[3];
-} Box;
 
 /* A leaf has count > 0 faces, order[first .. first + count - 1]. An inner node has count 0; its children are the node after
  * it and the node `first`. */
@@ -30,21 +27,5 @@ enum { BVH_MAX_DEPTH = 96 };
  * Memory: 72 bytes per face, and 36 more while building. False with an ERROR_SYSTEM when there is not enough. */
 bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error);
 void bvh_free(Bvh *bvh);
-
-/* The faces that a reader of the tree meets, one call each; *limit is the t beyond which no face matters any more and may be
- * lowered by the call. Returning false ends the walk. */
-typedef struct FaceVisitor {
-    bool (*visit)(void *user, int face);
-    void (*node)(void *user, int node, int level, int faces, bool entered); /* NULL: not told */
-    void *user;
-    const double *limit;
-} FaceVisitor;
-
-Box box_of_face(const Face *face);
-Box box_empty(void);
-Box box_union(Box a, Box b);
-
-/* Half the surface of a box: proportional to the chance that a random line meets it. */
-double box_half_area(Box box);
 
 #endif

@@ -47,6 +47,28 @@ Vec3 face_vertex(const Face *face, int index)
     return vec3((double)v[0], (double)v[1], (double)v[2]);
 }
 
+Box face_box(const Face *face, const Plane *plane)
+{
+    Box box = box_empty();
+    double warp = 0; /* how far a vertex may lie from the plane, rounding included */
+    for (int k = 0; k < 4; k++) {
+        const float *v = face->vertices[k];
+        box = box_union(box, (Box){{v[0], v[1], v[2]}, {v[0], v[1], v[2]}});
+        Vec3 edge = vec3_sub(face_vertex(face, k), face_vertex(face, 0));
+        double height = vec3_dot(plane->normal, edge);
+        warp = fmax(warp, fabs(height) + (plane->error + 4 * ROUNDING) * sum_of_magnitudes(edge));
+    }
+    /* Across an axis nothing is rounded: t is the same quotient as the box's. */
+    for (int axis = 0; axis < 3; axis++)
+        if (box.low[axis] == box.high[axis])
+            return box;
+    for (int axis = 0; axis < 3; axis++) {
+        box.low[axis] = nextafterf((float)((double)box.low[axis] - 256 * warp), -FLT_MAX);
+        box.high[axis] = nextafterf((float)((double)box.high[axis] + 256 * warp), FLT_MAX);
+    }
+    return box;
+}
+
 /* a b - c d with an error of 1.5 ulp of the result, where plain arithmetic may cancel (Kahan's algorithm; Jeannerod, Louvet
  * and Muller, "Further analysis of Kahan's algorithm", 2013, theorem 1.2). */
 static double difference_of_products(double a, double b, double c, double d)
@@ -147,6 +169,15 @@ static bool inside_edges(FaceTest *test, const Face *face, Vec3 origin, ExactVec
     return test->outside_edge < 0;
 }
 
+/* A ray that passes inside the edges hits the face unless its box is over before the ray starts. */
+static FaceVerdict hit_verdict(FaceTest *test, Interval in_box, double limit)
+{
+    if (in_box.enter > in_box.leave)
+        return FACE_BEHIND;
+    test->t_in_box = fmin(fmax(test->t, in_box.enter), in_box.leave);
+    return test->t_in_box > limit ? FACE_FARTHER : FACE_INSIDE;
+}
+
 FaceTest face_test(const Face *face, const Plane *plane, Ray ray, double limit, bool complete)
 {
     FaceTest test = {.outside_edge = -1};
@@ -163,15 +194,15 @@ FaceTest face_test(const Face *face, const Plane *plane, Ray ray, double limit, 
     }
     /* A quotient that underflows to 0 is still on the side that its signs say. */
     bool ahead = test.n_dot_o_plus_d != 0 && (test.n_dot_o_plus_d < 0) == (test.n_dot_r > 0);
-    bool inside = (complete || (ahead && test.t <= limit)) && inside_edges(&test, face, ray.origin, r, complete);
+    bool inside = (complete || ahead) && inside_edges(&test, face, ray.origin, r, complete);
     if (!ahead)
         test.verdict = FACE_BEHIND;
     else if (face->front_only && test.n_dot_r > 0)
         test.verdict = FACE_BACK;
-    else if (test.t > limit)
-        test.verdict = FACE_FARTHER;
+    else if (inside)
+        test.verdict = hit_verdict(&test, interval_in_box(face_box(face, plane), ray.origin, ray.direction), limit);
     else
-        test.verdict = inside ? FACE_INSIDE : FACE_OUTSIDE;
+        test.verdict = test.t > limit ? FACE_FARTHER : FACE_OUTSIDE;
     return test;
 }
 
@@ -192,8 +223,10 @@ FaceTest face_test_segment(const Face *face, const Plane *plane, Vec3 from, Vec3
     bool inside = (complete || between) && inside_edges(&test, face, from, r, complete);
     if (between && face->front_only && start < 0)
         test.verdict = FACE_BACK;
+    else if (between && inside)
+        test.verdict = hit_verdict(&test, interval_in_box(face_box(face, plane), from, r.high), 1);
     else if (between)
-        test.verdict = inside ? FACE_INSIDE : FACE_OUTSIDE;
+        test.verdict = FACE_OUTSIDE;
     else
         test.verdict = start == 0 || (start < 0) == (test.n_dot_r < 0) ? FACE_BEHIND : FACE_FARTHER;
     return test;

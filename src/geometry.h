@@ -4,6 +4,7 @@
 #ifndef RECTRAY_GEOMETRY_H
 #define RECTRAY_GEOMETRY_H
 
+#include "box.h"
 #include "scene.h"
 
 /* P(t) = origin + t direction; the direction need not be a unit vector, t is measured in its length. */
@@ -40,6 +41,11 @@ Plane face_plane(const Face *face);
 
 Vec3 face_vertex(const Face *face, int index);
 
+/* A box around the vertices, and around the points where a ray hits the plane inside the edges: rounding and, for a
+ * quad that rounding left a little warped, the distance of its vertices from the plane part the two. The margin covers
+ * rays at 1/256 or more to the plane; FaceTest.t_in_box takes care of those that graze it. None for a face across an axis. */
+Box face_box(const Face *face, const Plane *plane);
+
 typedef enum FaceVerdict {
     FACE_PARALLEL, /* N.R = 0 */
     FACE_BEHIND,   /* t <= 0 */
@@ -57,13 +63,14 @@ typedef struct FaceTest {
     double n_dot_r;        /* N.R, its sign exact */
     double n_dot_o_plus_d; /* N.O + D, as N.(O - v0), its sign exact */
     double t;
+    double t_in_box;       /* of a hit: t, or the nearest t at which the ray is in face_box; it decides what is nearest */
     int edges;             /* edges evaluated: 0, 3 or 4 */
     double edge_value[4];  /* dot(N, cross(e, c)) of edge k = v[k] -> v[k+1] */
     int edge_sign[4];      /* its exact sign: -1, 0, +1; 0 is on the edge's line */
     int outside_edge;      /* the first edge whose sign contradicts an earlier one's; -1 where none does */
 } FaceTest;
 
-/* Tests a ray: a hit has t > 0 and t <= limit (HUGE_VAL: no limit). With `complete` the edges are evaluated for every
+/* Tests a ray: a hit has t > 0 and t_in_box <= limit (HUGE_VAL: no limit). With `complete` the edges are evaluated for every
  * face whose plane is hit, else only where the verdict needs them.
  * The edge signs are those of det(R, v[k] - O, v[k+1] - O) = (N.R) dot(N, cross(e, c)) for P = O + t R in the plane, the
  * signed volume of Moeller and Trumbore 1997 section 2.2 / Shewchuk 1997, which needs no hit point. */

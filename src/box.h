@@ -1,0 +1,33 @@
+/* Axis-aligned boxes, and the part of a ray inside one: what the trees are made of. Floor 1. */
+#ifndef RECTRAY_BOX_H
+#define RECTRAY_BOX_H
+
+#include "vec3.h"
+
+typedef struct Box {
+    float low[3], high[3];
+} Box;
+
+/* The part of a ray from t = enter to t = leave; none where enter > leave. */
+typedef struct Interval {
+    double enter, leave;
+} Interval;
+
+/* The box of no point at all: any union with it is the other box. */
+Box box_empty(void);
+Box box_union(Box a, Box b);
+
+/* Half the surface of a box: proportional to the chance that a random line meets it. */
+double box_half_area(Box box);
+
+/* The part, from t = 0 on, that lies between two planes across an axis (in them, too), and in a box (Kay and Kajiya 1986).
+ * - It is never too short: it reaches beyond the exact one by more than rounding took away (Ize, "Robust BVH Ray
+ *   Traversal", 2013).
+ * - It is monotonic, bit for bit: a box inside another one gets an interval inside the other's. So a ray that meets the
+ *   box of a face at some t meets every box around it at that t: the reason why trees lose nothing. */
+Interval interval_between(double low, double high, double origin, double direction);
+Interval interval_in_box(Box box, Vec3 origin, Vec3 direction);
+
+Interval interval_common(Interval a, Interval b);
+
+#endif
