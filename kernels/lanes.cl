@@ -45,6 +45,7 @@ typedef int WideMask;
 #define TO_WIDE_MASK(m) (m)
 #define TO_MASK(m) (m)
 #define TO_LANES(m) ((real)(m))
+#define LOAD_FLOATS(p) ((real)*(p))
 #define LOAD(p) (*(p))
 #define STORE(v, p) (*(p) = (v))
 #else
@@ -53,11 +54,13 @@ typedef PASTE(double, LANES) Lanes;
 typedef PASTE(long, LANES) Mask;
 #define TO_MASK(m) (m)
 #define TO_LANES(m) PASTE(convert_double, LANES)(m)
+#define LOAD_FLOATS(p) PASTE(convert_double, LANES)(PASTE(vload, LANES)(0, p))
 #else
 typedef PASTE(float, LANES) Lanes;
 typedef PASTE(int, LANES) Mask;
 #define TO_MASK(m) PASTE(convert_int, LANES)(m)
 #define TO_LANES(m) PASTE(convert_float, LANES)(m)
+#define LOAD_FLOATS(p) PASTE(vload, LANES)(0, p)
 #endif
 #if REAL_DOUBLE || HAS_DOUBLE
 typedef PASTE(double, LANES) Wide;

@@ -10,7 +10,8 @@ typedef struct FaceRecord {
     float vertices[12]; /* 4 x (x, y, z); a triangle repeats its first */
     int material;
     int front_only; /* 1: rays from behind the normal pass */
-    int padding[2];
+    int index;      /* the face's place in the scene; on the device, faces stand in the order of the tree's leaves */
+    int padding;
 } FaceRecord;
 
 /* What stays the same over a launch, but for the band. */
@@ -72,13 +73,20 @@ enum {
     VIEW_REALS = 20
 };
 
+/* A child of a tree's node is another node's number, or the faces of a leaf, or nothing. */
+enum { NO_CHILD = -2147483647 - 1, LEAF_BITS = 4, LEAF_MAX = (1 << LEAF_BITS) - 1 };
+#define LEAF(first, count) (~(((first) << LEAF_BITS) | (count)))
+#define LEAF_FIRST(child) (~(child) >> LEAF_BITS)
+#define LEAF_COUNT(child) (~(child) & LEAF_MAX)
+
 /* Counters, in COUNTER_STRIPES copies so that work-items seldom meet; the host adds the copies. */
 enum {
     COUNT_PRIMARY,
     COUNT_SHADOW,
     COUNT_REFLECTION,
     COUNT_LIGHT_BEHIND,
-    COUNT_FACE_TESTS,
+    COUNT_FACE_TESTS, /* rays times faces */
+    COUNT_BOX_TESTS,  /* bundles times boxes */
     COUNTER_KINDS,
     COUNTER_STRIPES = 64,
     COUNTER_STRIDE = 16 /* 4-byte counters from one copy to the next: a cache line */

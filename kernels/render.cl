@@ -24,7 +24,7 @@ static Vec trace_path(const Geometry *g, const Shading *s, Vec origin, Vec direc
     Lanes weight = (Lanes)1;
     Mask left = (Mask)-1;
     for (int bounces = 0;; bounces++) {
-        Nearest nearest = find_nearest(g, origin, direction, active, left, counters);
+        Nearest nearest = find_nearest(g, s->tree, origin, direction, active, left, counters);
         Mask missed = active & IS(nearest.face < (Mask)0);
         total = vec_select(missed, vec_add(total, vec_scale(weight, background)), total);
         active &= ~missed;
@@ -95,11 +95,12 @@ static void store_tile(global uchar *rgb, const Parameters *p, int first_column,
 /* rgb: band_rows * columns * 3 bytes. One work-item per tile, tiles row by row; surplus work-items do nothing. */
 kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                    global const real *planes, global const real *materials, global const real *lights,
-                   global const real *view, global uchar *rgb, volatile global uint *totals)
+                   global const real *view, global uchar *rgb, volatile global uint *totals, global const float *boxes, global const int *children)
 {
     Parameters p = *parameters;
     Geometry g = {faces, edges, planes, p.face_count};
-    Shading s = {materials, lights, view, parameters};
+    Tree tree = {boxes, children};
+    Shading s = {materials, lights, view, parameters, &tree};
     Counters counters = {{0}};
     int tiles_across = (p.columns + TILE_COLUMNS - 1) / TILE_COLUMNS;
     int tile = (int)get_global_id(0);
@@ -125,9 +126,10 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
 /* rays: ray_count x (origin, direction); hits_face, hits_t: one per ray, -1 and 0 for a miss. LANES rays per work-item. */
 kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                  global const real *planes, global const real *rays, global int *hits_face, global wide *hits_t,
-                 volatile global uint *totals)
+                 volatile global uint *totals, global const float *boxes, global const int *children)
 {
     Geometry g = {faces, edges, planes, parameters->face_count};
+    Tree tree = {boxes, children};
     Counters counters = {{0}};
     int first = (int)get_global_id(0) * LANES, count = min(LANES, parameters->ray_count - first);
     if (count <= 0)
@@ -136,7 +138,7 @@ kernel void cast(constant Parameters *parameters, global const FaceRecord *faces
     for (int i = 0; i < LANES; i++)
         for (int k = 0; k < 6; k++)
             ray[k][i] = rays[6 * (size_t)(first + min(i, count - 1)) + k];
-    Nearest nearest = find_nearest(&g, vec(LOAD(ray[0]), LOAD(ray[1]), LOAD(ray[2])),
+    Nearest nearest = find_nearest(&g, &tree, vec(LOAD(ray[0]), LOAD(ray[1]), LOAD(ray[2])),
                                    vec(LOAD(ray[3]), LOAD(ray[4]), LOAD(ray[5])), IS(lane_numbers() < (Mask)count),
                                    (Mask)-1, &counters);
     MaskElement face[LANES];
@@ -144,7 +146,7 @@ kernel void cast(constant Parameters *parameters, global const FaceRecord *faces
     STORE(nearest.face, face);
     STORE(nearest.t, t);
     for (int i = 0; i < count; i++) {
-        hits_face[first + i] = (int)face[i];
+        hits_face[first + i] = face[i] < 0 ? -1 : faces[face[i]].index;
         hits_t[first + i] = face[i] < 0 ? 0 : t[i];
     }
     counters.kinds[COUNT_PRIMARY] += count;

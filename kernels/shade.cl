@@ -11,6 +11,7 @@ typedef struct Surface {
 typedef struct Shading {
     global const real *materials, *lights, *view;
     constant const Parameters *parameters;
+    const Tree *tree;
 } Shading;
 
 /* The number in the first lane that is set in the mask. */
@@ -111,7 +112,7 @@ static Vec shade(const Geometry *g, const Shading *s, const Surface *surface, Ve
         Mask reaches = facing;
         if (ANY(facing)) {
             counters->kinds[COUNT_SHADOW] += mask_count(facing);
-            reaches &= ~find_blocked(g, surface->shifted, position, facing, surface->face, counters);
+            reaches &= ~find_blocked(g, s->tree, surface->shifted, position, facing, surface->face, counters);
         }
         *lit |= reaches;
         Mask counted = s->parameters->shadow_ambient ? active : reaches;

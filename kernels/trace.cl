@@ -1,74 +1,82 @@
-/* The two questions that a ray asks a scene: which face is nearest, and is anything between here and the light. */
+/* The two questions that a ray asks a scene: which face is nearest, and is anything between here and the light.
+ * Here is what one face answers; in which order faces are asked is the business of walk.cl. */
 
 typedef struct Counters {
     uint kinds[COUNTER_KINDS];
 } Counters;
 
+/* The nearest face so far, lane by lane. */
 typedef struct Nearest {
     Wide t;
-    Mask face;        /* -1: none */
+    Mask face;        /* its place in the device's order, -1: none */
+    Mask index;       /* its place in the scene's order, which decides between equal t */
     Mask with_normal; /* N.R > 0: the ray came from behind the normal */
 } Nearest;
 
-/* The nearest face in front of each active lane, leaving out the face that it leaves; of equal t the first in the file. */
-static Nearest find_nearest(const Geometry *g, Vec origin, Vec direction, Mask active, Mask left, Counters *counters)
-{
-    Nearest nearest = {(Wide)WIDE_MAX, (Mask)-1, (Mask)0};
-    Line l = line(origin, direction);
-    WideVec o = vec_to_wide(origin), r = vec_to_wide(direction);
-    for (int i = 0; i < g->face_count; i++) {
-        EdgeTest edges = test_edges(&l, g->edges + (size_t)i * FACE_REALS);
-        edges.may &= active & IS(left != (Mask)i);
-        if (!ANY(edges.may))
-            continue;
-        if (ANY(edges.may & ~edges.sure))
-            settle_edges(&edges, g->faces + i, &l, 0);
-        if (g->faces[i].front_only)
-            edges.may &= ~edges.with_normal;
+typedef struct NearestQuery {
+    Line line;
+    WideVec origin, direction;
+    Mask active, left; /* left: the face that each ray leaves, not to be hit again */
+    Nearest nearest;
+} NearestQuery;
 
-        PlaneRow plane = plane_row(g, i);
-        WideMask with_normal = TO_WIDE_MASK(edges.with_normal);
-        Wide distance = plane_distance(g, i, plane, o, TO_WIDE_MASK(edges.may));
-        Wide approach = plane.x * r.x + plane.y * r.y + plane.z * r.z;
-        /* The edges have told the exact sign of N.R. */
-        approach = with_normal ? (approach > (Wide)0 ? approach : (Wide)WIDE_MIN)
-                               : (approach < (Wide)0 ? approach : (Wide)-WIDE_MIN);
-        Wide t = -distance / approach;
-        WideMask ahead = with_normal ? IS(distance < (Wide)0) : IS(distance > (Wide)0);
-        WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(t <= (Wide)WIDE_MAX) & IS(t < nearest.t);
-        Mask take = TO_MASK(nearer);
-        nearest.t = nearer ? t : nearest.t;
-        nearest.face = take ? (Mask)i : nearest.face;
-        nearest.with_normal = take ? edges.with_normal : nearest.with_normal;
-    }
-    counters->kinds[COUNT_FACE_TESTS] += mask_count(active) * (uint)g->face_count;
-    return nearest;
+/* Segments from many points to one target, told the other way round: their lines start at the target, which they share. */
+typedef struct BlockedQuery {
+    Line line;       /* from the target to the points */
+    Line settle;     /* origin: the points, for the exact test */
+    WideVec origin;  /* the points */
+    wide target[3];
+    Mask active, left, blocked;
+} BlockedQuery;
+
+/* Asks face i; true if it is nearer in some lane. */
+static bool ask_nearest(const Geometry *g, NearestQuery *q, int i)
+{
+    EdgeTest edges = test_edges(&q->line, g->edges + (size_t)i * FACE_REALS);
+    edges.may &= q->active & IS(q->left != (Mask)i);
+    if (!ANY(edges.may))
+        return false;
+    if (ANY(edges.may & ~edges.sure))
+        settle_edges(&edges, g->faces + i, &q->line, 0);
+    if (g->faces[i].front_only)
+        edges.may &= ~edges.with_normal;
+
+    PlaneRow plane = plane_row(g, i);
+    WideMask with_normal = TO_WIDE_MASK(edges.with_normal);
+    Wide distance = plane_distance(g, i, plane, q->origin, TO_WIDE_MASK(edges.may));
+    Wide approach = plane.x * q->direction.x + plane.y * q->direction.y + plane.z * q->direction.z;
+    /* The edges have told the exact sign of N.R. */
+    approach = with_normal ? (approach > (Wide)0 ? approach : (Wide)WIDE_MIN)
+                           : (approach < (Wide)0 ? approach : (Wide)-WIDE_MIN);
+    Wide t = -distance / approach;
+    WideMask ahead = with_normal ? IS(distance < (Wide)0) : IS(distance > (Wide)0);
+    Mask index = (Mask)g->faces[i].index;
+    WideMask first = IS(t == q->nearest.t) & TO_WIDE_MASK(IS(index < q->nearest.index));
+    WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(t <= (Wide)WIDE_MAX) & (IS(t < q->nearest.t) | first);
+    Mask take = TO_MASK(nearer);
+    q->nearest.t = nearer ? t : q->nearest.t;
+    q->nearest.face = take ? (Mask)i : q->nearest.face;
+    q->nearest.index = take ? index : q->nearest.index;
+    q->nearest.with_normal = take ? edges.with_normal : q->nearest.with_normal;
+    return ANY(take);
 }
 
-/* The active lanes whose segment from `origin` to `target` is blocked by a face strictly between the two. */
-static Mask find_blocked(const Geometry *g, Vec origin, const wide *target, Mask active, Mask left, Counters *counters)
+/* Asks face i; true if it blocks some lane. Blocked lanes are asked no more. */
+static bool ask_blocked(const Geometry *g, BlockedQuery *q, int i)
 {
-    WideVec o = vec_to_wide(origin);
-    WideVec to_target = {target[0] - o.x, target[1] - o.y, target[2] - o.z};
-    Line l = line(origin, vec_to_real(to_target));
-    Mask blocked = (Mask)0;
-    int i = 0;
-    for (; i < g->face_count && ANY(active); i++) {
-        EdgeTest edges = test_edges(&l, g->edges + (size_t)i * FACE_REALS);
-        edges.may &= active & IS(left != (Mask)i);
-        if (!ANY(edges.may))
-            continue;
-        if (ANY(edges.may & ~edges.sure))
-            settle_edges(&edges, g->faces + i, &l, target);
-        PlaneRow plane = plane_row(g, i);
-        wide end = plane_distance_of_point(g, i, plane, target);
-        Wide start = plane_distance(g, i, plane, o, TO_WIDE_MASK(edges.may));
-        WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
-        WideMask between = end < 0 ? before : end > 0 && !g->faces[i].front_only ? behind : (WideMask)0;
-        Mask hit = edges.may & TO_MASK(between);
-        blocked |= hit;
-        active &= ~hit;
-    }
-    counters->kinds[COUNT_FACE_TESTS] += mask_count(active | blocked) * (uint)i;
-    return blocked;
+    EdgeTest edges = test_edges(&q->line, g->edges + (size_t)i * FACE_REALS);
+    edges.may &= q->active & IS(q->left != (Mask)i);
+    if (!ANY(edges.may))
+        return false;
+    if (ANY(edges.may & ~edges.sure))
+        settle_edges(&edges, g->faces + i, &q->settle, q->target);
+    PlaneRow plane = plane_row(g, i);
+    wide end = plane_distance_of_point(g, i, plane, q->target);
+    Wide start = plane_distance(g, i, plane, q->origin, TO_WIDE_MASK(edges.may));
+    WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
+    WideMask between = end < 0 ? before : end > 0 && !g->faces[i].front_only ? behind : (WideMask)0;
+    Mask hit = edges.may & TO_MASK(between);
+    q->blocked |= hit;
+    q->active &= ~hit;
+    return ANY(hit);
 }

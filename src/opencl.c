@@ -4,6 +4,7 @@
 #include "clock.h"
 #include "opencl_program.h"
 #include "opencl_scene.h"
+#include "opencl_tree.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -12,10 +13,20 @@ enum { BAND_BYTES = 32 << 20, FIRST_BAND_ROWS = 64, COUNTERS = COUNTER_STRIPES *
 
 #define BAND_MS 50.0 /* a band should take about this long: progress is smooth, an interrupt is soon obeyed */
 
-/* The buffers of a scene on the device, in the order of the kernels' first arguments. */
+/* The buffers of a scene on the device. */
 typedef struct Upload {
-    cl_mem parameters, faces, edges, planes, materials, lights, view, counters;
+    cl_mem parameters, faces, edges, planes, materials, lights, view, counters, boxes, children;
 } Upload;
+
+/* Up to this many faces are asked one after the other: a tree would cost more than it saves. */
+enum { SMALL_SCENE = 16 };
+
+/* The scene's tree, and its faces in the order of the leaves. */
+typedef struct Tree {
+    Bvh bvh;
+    WideTree wide;
+    TreeOptions options;
+} Tree;
 
 static Parameters parameters_of(const Scene *scene)
 {
@@ -31,12 +42,45 @@ static Parameters parameters_of(const Scene *scene)
     };
 }
 
-static bool upload(OpenclSession *session, const Scene *scene, Upload *on_device, RenderReport *report, Error *error)
+static void tree_free(Tree *tree)
+{
+    bvh_free(&tree->bvh);
+    wide_tree_free(&tree->wide);
+}
+
+/* The stack of a walk, in steps so that few scenes need kernels of their own. */
+static int stack_size(const WideTree *tree)
+{
+    int needed = 1 + tree->depth * (tree->width - 1), size = 128;
+    while (size < needed)
+        size *= 2;
+    return size;
+}
+
+static bool build_tree(const OpenclSession *session, const Scene *scene, const RenderSettings *settings, Tree *tree,
+                       RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    *tree = (Tree){.options = {.kind = ACCEL_NONE, .node_width = 1, .stack_size = 1}};
+    bool small = settings->accel == ACCEL_AUTO && scene->face_count <= SMALL_SCENE;
+    if (settings->accel == ACCEL_NONE || small || scene->face_count == 0)
+        return true;
+    int width = session->lanes > 4 ? session->lanes : 4;
+    bool ok = bvh_build(&tree->bvh, scene, settings->threads, error) && wide_tree_build(&tree->wide, &tree->bvh, width, error);
+    if (ok)
+        tree->options = (TreeOptions){ACCEL_BVH, width, stack_size(&tree->wide)};
+    report->build_ms = clock_ms() - start;
+    return ok;
+}
+
+static bool upload(OpenclSession *session, const Scene *scene, const Tree *tree, Upload *on_device, RenderReport *report,
+                   Error *error)
 {
     double start = clock_ms();
     DeviceScene packed;
-    bool ok = device_scene_pack(&packed, scene, session->precision, error);
+    bool ok = device_scene_pack(&packed, scene, tree->bvh.order, session->precision, error);
     size_t faces = (size_t)(scene->face_count > 0 ? scene->face_count : 1);
+    size_t children = (size_t)tree->wide.node_count * (size_t)tree->wide.width;
     const cl_mem_flags read = CL_MEM_READ_ONLY;
     ok = ok && (on_device->parameters = opencl_buffer(session, read, sizeof(Parameters), NULL, error)) &&
          (on_device->faces = opencl_buffer(session, read, faces * sizeof(FaceRecord), packed.faces, error)) &&
@@ -45,9 +89,26 @@ static bool upload(OpenclSession *session, const Scene *scene, Upload *on_device
          (on_device->materials = opencl_buffer(session, read, reals_bytes(&packed.materials), packed.materials.data, error)) &&
          (on_device->lights = opencl_buffer(session, read, reals_bytes(&packed.lights), packed.lights.data, error)) &&
          (on_device->view = opencl_buffer(session, read, reals_bytes(&packed.view), packed.view.data, error)) &&
-         (on_device->counters = opencl_buffer(session, CL_MEM_READ_WRITE, COUNTERS * sizeof(cl_uint), NULL, error));
+         (on_device->counters = opencl_buffer(session, CL_MEM_READ_WRITE, COUNTERS * sizeof(cl_uint), NULL, error)) &&
+         (on_device->boxes = opencl_buffer(session, read, (children > 0 ? 6 * children : 1) * sizeof(float), tree->wide.boxes,
+                                           error)) &&
+         (on_device->children = opencl_buffer(session, read, (children > 0 ? children : 1) * sizeof(int), tree->wide.children,
+                                              error));
     device_scene_free(&packed);
     report->upload_ms += clock_ms() - start;
+    return ok;
+}
+
+/* From a scene to kernels and buffers ready to run. */
+static bool prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings, Upload *on_device,
+                    RenderReport *report, Error *error)
+{
+    Tree tree = {0};
+    bool ok = opencl_open(session, settings, report, error) &&
+              build_tree(session, scene, settings, &tree, report, error) &&
+              opencl_build(session, tree.options, report, error) &&
+              upload(session, scene, &tree, on_device, report, error);
+    tree_free(&tree);
     return ok;
 }
 
@@ -85,6 +146,7 @@ static bool add_counters(OpenclSession *session, const Upload *on_device, Render
     report->rays.reflection += sums[COUNT_REFLECTION];
     report->skipped_light_behind += sums[COUNT_LIGHT_BEHIND];
     report->face_tests += sums[COUNT_FACE_TESTS];
+    report->box_tests += sums[COUNT_BOX_TESTS];
     return true;
 }
 
@@ -140,10 +202,11 @@ static int band_limit(const OpenclSession *session, const Scene *scene)
     return rows;
 }
 
-static bool render_session(OpenclSession *session, const Scene *scene, BandSink sink, RenderReport *report, Error *error)
+static bool render_session(OpenclSession *session, const Scene *scene, const RenderSettings *settings, BandSink sink,
+                           RenderReport *report, Error *error)
 {
     Upload on_device;
-    if (!upload(session, scene, &on_device, report, error))
+    if (!prepare(session, scene, settings, &on_device, report, error))
         return false;
     int most_rows = band_limit(session, scene);
     size_t bytes = (size_t)most_rows * (size_t)scene->screen.columns * 3;
@@ -153,8 +216,9 @@ static bool render_session(OpenclSession *session, const Scene *scene, BandSink 
     unsigned char *rgb = malloc(bytes);
     if (!rgb)
         return error_memory(error, "a band of the picture");
-    cl_mem arguments[] = {on_device.parameters, on_device.faces, on_device.edges, on_device.planes, on_device.materials,
-                          on_device.lights,     on_device.view,  pixels,          on_device.counters};
+    cl_mem arguments[] = {on_device.parameters, on_device.faces,  on_device.edges, on_device.planes,
+                          on_device.materials,  on_device.lights, on_device.view,  pixels,
+                          on_device.counters,   on_device.boxes,  on_device.children};
     cl_kernel kernel = opencl_kernel(session, "render", arguments, sizeof arguments / sizeof arguments[0], error);
     bool ok = kernel && render_bands(session, scene, &on_device, kernel, pixels, rgb, most_rows, sink, report, error);
     if (kernel)
@@ -167,7 +231,7 @@ bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink 
 {
     memset(report, 0, sizeof *report);
     OpenclSession session = {0};
-    bool ok = opencl_open(&session, settings, report, error) && render_session(&session, scene, sink, report, error);
+    bool ok = render_session(&session, scene, settings, sink, report, error);
     opencl_close(&session);
     return ok;
 }
@@ -197,26 +261,24 @@ static bool cast_arrays(CastArrays *arrays, const OpenclSession *session, const 
     return true;
 }
 
-static bool cast_session(OpenclSession *session, const Scene *scene, CastArrays *arrays, long count, RenderReport *report,
-                         Error *error)
+static bool cast_session(OpenclSession *session, const Scene *scene, const Upload *on_device, CastArrays *arrays, long count,
+                         RenderReport *report, Error *error)
 {
-    Upload on_device;
     size_t rays = (size_t)count;
     cl_mem ray_buffer, face_buffer, t_buffer;
-    if (!upload(session, scene, &on_device, report, error) ||
-        !(ray_buffer = opencl_buffer(session, CL_MEM_READ_ONLY, rays * 6 * arrays->ray_bytes, arrays->rays, error)) ||
+    if (!(ray_buffer = opencl_buffer(session, CL_MEM_READ_ONLY, rays * 6 * arrays->ray_bytes, arrays->rays, error)) ||
         !(face_buffer = opencl_buffer(session, CL_MEM_WRITE_ONLY, rays * sizeof(cl_int), NULL, error)) ||
         !(t_buffer = opencl_buffer(session, CL_MEM_WRITE_ONLY, rays * arrays->t_bytes, NULL, error)))
         return false;
-    cl_mem arguments[] = {on_device.parameters, on_device.faces, on_device.edges, on_device.planes,
-                          ray_buffer,           face_buffer,     t_buffer,        on_device.counters};
+    cl_mem arguments[] = {on_device->parameters, on_device->faces, on_device->edges,    on_device->planes, ray_buffer,
+                          face_buffer,           t_buffer,         on_device->counters, on_device->boxes,  on_device->children};
     cl_kernel kernel = opencl_kernel(session, "cast", arguments, sizeof arguments / sizeof arguments[0], error);
     if (!kernel)
         return false;
     Parameters parameters = parameters_of(scene);
     parameters.ray_count = (int)count;
     size_t items = (rays + (size_t)session->lanes - 1) / (size_t)session->lanes;
-    bool ok = launch(session, &on_device, kernel, &parameters, items, report, error) &&
+    bool ok = launch(session, on_device, kernel, &parameters, items, report, error) &&
               read_back(session, face_buffer, rays * sizeof(cl_int), arrays->faces, report, error) &&
               read_back(session, t_buffer, rays * arrays->t_bytes, arrays->t, report, error);
     clReleaseKernel(kernel);
@@ -231,8 +293,10 @@ bool opencl_cast(const Scene *scene, const RenderSettings *settings, const doubl
         return true;
     OpenclSession session = {0};
     CastArrays arrays = {0};
-    bool ok = opencl_open(&session, settings, report, error) && cast_arrays(&arrays, &session, rays, count, error) &&
-              cast_session(&session, scene, &arrays, count, report, error);
+    Upload on_device;
+    bool ok = prepare(&session, scene, settings, &on_device, report, error) &&
+              cast_arrays(&arrays, &session, rays, count, error) &&
+              cast_session(&session, scene, &on_device, &arrays, count, report, error);
     for (long i = 0; ok && i < count; i++) {
         double t = session.wide_is_double ? ((double *)arrays.t)[i] : (double)((float *)arrays.t)[i];
         hits[i] = (CastHit){arrays.faces[i], t};

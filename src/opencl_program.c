@@ -79,13 +79,14 @@ static bool report_build_failure(OpenclSession *session, cl_int status, Error *e
     return false;
 }
 
-static bool build_program(OpenclSession *session, const Sources *sources, RenderReport *report, Error *error)
+static bool build_program(OpenclSession *session, const Sources *sources, TreeOptions tree, RenderReport *report, Error *error)
 {
     snprintf(report->build_options, sizeof report->build_options,
-             "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DTILE_COLUMNS=%d -DTILE_ROWS=%d -DFACE_RECORD_BYTES=%d "
-             "-DPARAMETERS_BYTES=%d",
+             "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DTILE_COLUMNS=%d -DTILE_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
+             "-DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
              session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double, session->tile_columns,
-             session->tile_rows, (int)sizeof(FaceRecord), (int)sizeof(Parameters));
+             session->tile_rows, tree.kind == ACCEL_BVH, tree.node_width, tree.stack_size, (int)sizeof(FaceRecord),
+             (int)sizeof(Parameters));
     cl_int status;
     session->program = clCreateProgramWithSource(session->context, (cl_uint)(2 * sources->count),
                                                  (const char **)sources->texts, NULL, &status);
@@ -115,17 +116,21 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
         return false;
     report->lanes = session->lanes;
     report->threads = session->info.compute_units;
-    report->accel = ACCEL_NONE;
     snprintf(report->device, sizeof report->device, "%s", session->info.name);
     report->device_ms = clock_ms() - start;
+    return true;
+}
 
-    start = clock_ms();
+bool opencl_build(OpenclSession *session, TreeOptions tree, RenderReport *report, Error *error)
+{
+    double start = clock_ms();
     Sources sources = {.count = 0};
     bool ok = true;
     for (int i = 0; ok && i < kernel_source_count; i++)
         ok = sources_add(&sources, i, getenv("RECTRAY_KERNELS"), error);
-    ok = ok && build_program(session, &sources, report, error);
+    ok = ok && build_program(session, &sources, tree, report, error);
     sources_free(&sources);
+    report->accel = tree.kind;
     report->compile_ms = clock_ms() - start;
     return ok;
 }

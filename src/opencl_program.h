@@ -6,7 +6,7 @@
 
 enum { OPENCL_MAX_BUFFERS = 16 };
 
-/* Zero it, open it, free it; the buffers made with it are freed with it. */
+/* Zero it, open it, build its kernels, close it; the buffers made with it are freed with it. */
 typedef struct OpenclSession {
     DeviceInfo info;
     Precision precision;
@@ -20,10 +20,21 @@ typedef struct OpenclSession {
     int buffer_count;
 } OpenclSession;
 
-/* Opens the device of the settings and builds the kernels for its number of lanes; times, device and build options go to
- * the report. The kernels are those embedded in the program, or the files of the folder that the environment variable
- * RECTRAY_KERNELS names. A kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
+/* Opens the device of the settings and chooses its number of lanes; time and device go to the report. */
 bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderReport *report, Error *error);
+
+/* How the kernels find faces: a build option each. */
+typedef struct TreeOptions {
+    AccelKind kind;   /* not ACCEL_AUTO */
+    int node_width;
+    int stack_size;   /* nodes that a walk may have to remember */
+} TreeOptions;
+
+/* Builds the kernels: those embedded in the program, or the files of the folder that the environment variable
+ * RECTRAY_KERNELS names. Time and build options go to the report. A kernel that does not compile is an ERROR_SYSTEM with
+ * the compiler's log. */
+bool opencl_build(OpenclSession *session, TreeOptions tree, RenderReport *report, Error *error);
+
 void opencl_close(OpenclSession *session);
 
 /* A buffer with a copy of `data`, or uninitialised where data is NULL; NULL with the error filled on failure. */

@@ -76,16 +76,18 @@ static void put_plane(Reals *planes, size_t row, const Plane *plane)
     put(planes, row + PLANE_ERROR, error);
 }
 
-static void pack_face(DeviceScene *packed, const Scene *scene, int i)
+/* Puts face `index` of the scene at place i. */
+static void pack_face(DeviceScene *packed, const Scene *scene, int index, int i)
 {
-    const Face *face = &scene->faces[i];
+    const Face *face = &scene->faces[index];
     FaceRecord *record = &packed->faces[i];
     for (int k = 0; k < 12; k++)
         record->vertices[k] = face->vertices[k / 3][k % 3];
     record->material = face->material;
     record->front_only = face->front_only;
+    record->index = index;
     put_edges(&packed->edges, (size_t)i * FACE_REALS, face);
-    put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[i]);
+    put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
 }
 
 static void pack_light(Reals *lights, size_t row, const Light *light)
@@ -118,7 +120,7 @@ static void pack_view(Reals *reals, const Scene *scene)
     put_vec3(reals, VIEW_BACKGROUND, scene->shading.background);
 }
 
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, Precision precision, Error *error)
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Error *error)
 {
     *packed = (DeviceScene){0};
     size_t faces = (size_t)scene->face_count;
@@ -133,7 +135,7 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, Precision precis
         return false;
 
     for (int i = 0; i < scene->face_count; i++)
-        pack_face(packed, scene, i);
+        pack_face(packed, scene, order ? order[i] : i, i);
     for (int i = 0; i < scene->light_count; i++)
         pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
     for (int i = 0; i < scene->material_count; i++)

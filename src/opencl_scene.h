@@ -21,8 +21,8 @@ typedef struct DeviceScene {
     Reals edges, planes, materials, lights, view;
 } DeviceScene;
 
-/* Packs the scene. Frees nothing of it; device_scene_free frees the copy, also after a failure. */
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, Precision precision, Error *error);
+/* Packs the scene, its faces in the given order (NULL: as they are). device_scene_free frees the copy, also after a failure. */
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Error *error);
 void device_scene_free(DeviceScene *packed);
 
 size_t reals_bytes(const Reals *reals);
