@@ -118,8 +118,8 @@ static bool open_file(ImageWriter *writer, Error *error)
     if (descriptor < 0)
         return cannot_write(writer, errno, error); /* an error that is already set stays */
     writer->file = fdopen(descriptor, "wb");
-    if (!writer->file) { /* no memory, or a stdout that is open for reading only */
-        cannot_write(writer, errno, error);
+    if (!writer->file) { /* no memory, or a stdout that is not open for writing */
+        cannot_write(writer, errno == EINVAL ? EBADF : errno, error);
         close(descriptor);
     }
     return writer->file != NULL;
