@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""The program from outside: exit statuses, what goes to which stream, and that docs/commands.md tells the options."""
+import json
+import os
+import re
+import struct
+import subprocess
+import unittest
+
+from program import PROGRAM, CommandTest
+
+
+class ExitStatus(CommandTest):
+    def test_help_and_version_are_data(self):
+        for words in (["--help"], ["-h"], ["--version"], ["render", "--help"], ["check", "-V"]):
+            out, err = self.run_program(*words)
+            self.assertTrue(out)
+            self.assertEqual(err, "")
+
+    def test_version_names_the_program(self):
+        self.assertRegex(self.run_program("--version")[0], rb"^rectray \d+\.\d+")
+
+    def test_every_command_has_help_of_at_most_100_columns(self):
+        for line in self.run_program("--help")[0].decode().splitlines():
+            self.assertLessEqual(len(line), 100)
+            match = re.match(r"  (\w+) ", line)
+            if match:
+                out = self.run_program(match[1], "--help")[0].decode()
+                self.assertIn(f"usage: rectray {match[1]}", out)
+                self.assertLessEqual(max(map(len, out.splitlines())), 100)
+
+    def test_a_wrong_command_line_is_2(self):
+        for words in ([], ["paint"], ["render"], ["render", "scene.json", "--size", "8"], ["check", "scene.json", "-o"],
+                      ["compare", "a.png"], ["devices", "x"], ["render", "--backend", "cuda", "scene.json"]):
+            out, err = self.run_program(*words, status=2)
+            self.assertEqual(out, b"")
+            self.assertIn("rectray: ", err)
+
+    def test_no_command_shows_the_usage_on_stderr(self):
+        self.assertIn("usage: rectray COMMAND", self.run_program(status=2)[1])
+
+    def test_a_wrong_scene_is_1_and_the_message_begins_with_its_place(self):
+        self.put("bad.json", '{\n  "camera": 7 }')
+        for command in ("render", "cast", "check"):
+            out, err = self.run_program(command, "bad.json", status=1)
+            self.assertEqual(out, b"")
+            self.assertRegex(err, r"^bad\.json:\d+:\d+: ")
+        self.assertIn("missing.json", self.run_program("check", "missing.json", status=1)[1])
+        self.assertEqual(self.files(), ["bad.json"])
+
+
+class Render(CommandTest):
+    def test_the_picture_is_named_after_the_scene_in_the_working_directory(self):
+        os.mkdir(self.path("work"))
+        out, err = subprocess.Popen([PROGRAM, "render", "../scene.json", "-b", "reference"], cwd=self.path("work"),
+                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE).communicate()
+        self.assertEqual(os.listdir(self.path("work")), ["scene.png"])
+        self.assertEqual(out, b"")
+        self.assertIn("scene.png: 8 x 6 pixels", err.decode())
+
+    def test_the_same_bytes_to_a_file_and_to_stdout_each_time_on_any_threads(self):
+        self.render("-o", "a.png")
+        expected = self.bytes_of("a.png")
+        self.assertEqual(struct.unpack(">8s4x4sIIBB", expected[:26]), (b"\x89PNG\r\n\x1a\n", b"IHDR", 8, 6, 8, 2))
+        for threads in ("1", "2", "7"):
+            out, err = self.render("-o", "-", "--threads", threads)
+            self.assertEqual(out, expected)
+            self.assertEqual(err, "")
+
+    def test_the_options_override_the_scene(self):
+        out, _ = self.render("-o", "-", "--size", "3x5")
+        self.assertEqual(struct.unpack(">II", out[16:24]), (3, 5))
+        stats = json.loads(self.render("--size", "3x5", "--grid", "4", "--stats=json")[0])
+        self.assertEqual(stats["rays"]["primary"], 3 * 5 * 16)
+
+    def test_quiet_says_nothing(self):
+        self.assertEqual(self.render("-q"), (b"", ""))
+
+    def test_options_without_effect_are_told_of(self):
+        for words in (["--lanes", "8"], ["--device", "0"], ["--precision", "float"]):
+            self.assertIn(f"note: {words[0]}", self.render(*words)[1])
+        self.assertNotIn("note", self.render("--precision", "double")[1])
+
+    def test_stats_go_to_stdout_or_where_the_picture_does_not(self):
+        keys = ["phases_ms", "rays", "skipped", "tests", "faces", "lights", "device", "backend", "precision", "lanes",
+                "accel", "build_options", "peak_memory_bytes"]
+        stats = json.loads(self.render("--stats=json")[0])
+        self.assertEqual(sorted(stats), sorted(keys))
+        self.assertEqual(sorted(stats["phases_ms"]), sorted(["parse", "build", "device", "compile", "upload", "trace",
+                                                             "readback", "encode", "total"]))
+        self.assertEqual((stats["faces"], stats["lights"], stats["rays"]["primary"]), (2, 1, 48))
+        self.assertEqual((stats["backend"], stats["precision"]), ("reference", "double"))
+        self.assertGreaterEqual(stats["phases_ms"]["total"], stats["phases_ms"]["trace"])
+        out, err = self.render("-o", "-", "--stats=json")
+        self.assertEqual(out[:4], b"\x89PNG")
+        self.assertEqual(json.loads(err)["faces"], 2)
+        self.assertIn(b"primary rays", self.render("--stats")[0])
+
+    def test_both_backends_agree_on_a_plain_scene(self):
+        self.render("-o", "a.png")
+        self.run_program("render", "scene.json", "--precision", "double", "-o", "b.png")
+        self.run_program("compare", "a.png", "b.png")
+
+
+class Devices(CommandTest):
+    def test_they_are_numbered(self):
+        self.assertRegex(self.run_program("devices")[0].decode(), r"^0: ")
+
+    def test_without_any_it_is_3_and_the_reference_still_works(self):
+        nowhere = dict(os.environ, OCL_ICD_VENDORS=self.path("nowhere"))
+        out, err = self.run_program("devices", status=3, env=nowhere)
+        self.assertEqual(out, b"")
+        self.assertIn("rectray: ", err)
+        self.run_program("render", "scene.json", "-o", "a.png", status=3, env=nowhere)
+        self.assertEqual(self.files(), [])
+        self.render(env=nowhere)
+
+    def test_a_device_that_is_not_there_is_an_error(self):
+        self.assertIn("99", self.run_program("render", "scene.json", "--device", "99", status=2)[1])
+
+
+class Documentation(unittest.TestCase):
+    def test_the_page_and_the_help_name_the_same_options(self):
+        with open("docs/commands.md", encoding="utf-8") as file:
+            page = file.read()
+        sections = dict(re.findall(r"^## rectray (\w+)\n(.*?)(?=^## |\Z)", page, re.M | re.S))
+        out = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout
+        commands = re.findall(r"^  (\w+) ", out, re.M)
+        self.assertEqual(list(sections), commands)
+        for command in commands:
+            shown = subprocess.run([PROGRAM, command, "--help"], capture_output=True, text=True, check=True).stdout
+            options = re.findall(r"^  (?:-(\w), |    )--([\w-]+)(?:\[=| |$)", shown, re.M)
+            rows = re.findall(r"^\| `(?:-(\w), )?--([\w-]+)", sections[command], re.M)
+            common = [("h", "help"), ("V", "version")]
+            self.assertEqual(rows, [option for option in options if option not in common], command)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

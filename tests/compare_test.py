@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""`compare` against figures worked out here, on pictures made here."""
+import math
+import struct
+import unittest
+import zlib
+
+from program import CommandTest
+
+
+def png(columns, rows, pixels, color_type=2):
+    """A PNG of 8-bit samples, made here."""
+    def chunk(name, data):
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+    row = len(pixels) // rows
+    raw = b"".join(b"\0" + bytes(pixels[i * row:(i + 1) * row]) for i in range(rows))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, color_type, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
+
+
+class Compare(CommandTest):
+    A = [10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120]
+
+    def setUp(self):
+        super().setUp()
+        b = self.A.copy()
+        b[0] += 3
+        b[4] -= 1
+        for name, data in (("a.png", png(2, 2, self.A)), ("b.png", png(2, 2, b)), ("c.png", png(4, 1, self.A)),
+                           ("rgba.png", png(2, 2, [x for i in range(4) for x in self.A[3 * i:3 * i + 3] + [i]], 6))):
+            with open(self.path(name), "wb") as file:
+                file.write(data)
+
+    def test_figures(self):
+        out, err = self.run_program("compare", "a.png", "b.png", status=1)
+        rows = {line.split()[0]: line.split()[1:] for line in out.decode().splitlines() if line.strip()}
+        self.assertEqual(rows["red"], ["3", "0.750000"])
+        self.assertEqual(rows["green"], ["1", "0.250000"])
+        self.assertEqual(rows["blue"], ["0", "0.000000"])
+        self.assertEqual(rows["rmse"], ["%.6f" % math.sqrt(10 / 12)])
+        self.assertEqual(rows["psnr"], ["%.2f" % (10 * math.log10(255 ** 2 / (10 / 12))), "dB"])
+        self.assertEqual(rows["differing"][:4], ["2", "of", "4", "pixels"])
+        self.assertIn("a.png and b.png differ by up to 3 of 255, 0 is tolerated", err)
+
+    def test_equal_pictures_are_0(self):
+        out, err = self.run_program("compare", "a.png", "rgba.png")
+        self.assertIn("psnr      infinite", out.decode())
+        self.assertEqual(err, "")
+
+    def test_the_tolerance_is_the_largest_difference_allowed(self):
+        self.run_program("compare", "a.png", "b.png", "--tolerance", "3")
+        self.run_program("compare", "a.png", "b.png", "--tolerance", "2", status=1)
+        self.assertEqual(self.run_program("compare", "-q", "a.png", "b.png", "--tolerance", "3"), (b"", ""))
+
+    def test_the_picture_of_the_differences(self):
+        self.run_program("compare", "a.png", "b.png", "-o", "diff.png", status=1)
+        with open(self.path("expected.png"), "wb") as file:
+            file.write(png(2, 2, [255, 0, 0, 0, 85, 0] + [0] * 6))
+        self.run_program("compare", "diff.png", "expected.png")
+        out, err = self.run_program("compare", "a.png", "b.png", "-o", "-", "--tolerance", "9")
+        self.assertEqual(out, self.bytes_of("diff.png"))
+        self.assertIn("rmse", err)
+
+    def test_pictures_that_cannot_be_compared_are_1(self):
+        self.assertIn("2 x 2 pixels", self.run_program("compare", "a.png", "c.png", status=1)[1])
+        self.assertIn("not a PNG", self.run_program("compare", "a.png", "scene.json", status=1)[1])
+        self.assertIn("missing.png", self.run_program("compare", "missing.png", "a.png", status=1)[1])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,69 @@
+"""What the tests of the commands share: the program, a small scene, and a test case that runs the one on the other.
+The program is $RECTRAY or build/rectray; each suite runs alone by: python3 tests/NAME_test.py [Class.test]"""
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(os.environ.get("RECTRAY", "build/rectray"))
+
+# A unit square at z = 0 that faces a camera at z = 1, a light over it, a one-sided triangle 2 behind it; all moved
+# by 1000 in x.
+SCENE = {
+    "camera": {"position": [1000.5, 0.5, 1], "look_at": [1000.5, 0.5, 0]},
+    "screen": {"columns": 8, "rows": 6},
+    "lights": [{"position": [1000.5, 0.5, 5]}],
+    "materials": {"pink": {"ambient": [0.1, 0, 0.1], "diffuse": [0.7, 0, 0.7]}, "unused \"one\"": {}},
+    "objects": [
+        {"name": "tile", "material": "pink", "vertices": [[1000, 0, 0], [1001, 0, 0], [1001, 1, 0], [1000, 1, 0]],
+         "faces": [[0, 1, 2, 3]]},
+        {"name": "back wall", "material": "pink", "sided": "front",
+         "vertices": [[1000, 0, -2], [1001, 0, -2], [1001, 1, -2]], "faces": [[0, 1, 2]]},
+    ],
+}
+
+
+class CommandTest(unittest.TestCase):
+    """Each test runs in a folder of its own, where scene.json is."""
+
+    def setUp(self):
+        self.holder = tempfile.TemporaryDirectory()
+        self.folder = self.holder.name
+        self.put("scene.json", json.dumps(SCENE))
+
+    def tearDown(self):
+        self.holder.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def put(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def bytes_of(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def files(self):
+        return sorted(name for name in os.listdir(self.folder) if name != "scene.json")
+
+    def start(self, *words, **options):
+        options.setdefault("stdin", subprocess.DEVNULL)
+        options.setdefault("stdout", subprocess.PIPE)
+        options.setdefault("stderr", subprocess.PIPE)
+        return subprocess.Popen([PROGRAM, *words], cwd=self.folder, **options)
+
+    def run_program(self, *words, status=0, text_in=None, **options):
+        """Runs `rectray WORDS`, checks its exit status, returns stdout (bytes) and stderr (str)."""
+        if text_in is not None:
+            options["stdin"] = subprocess.PIPE
+        process = self.start(*words, **options)
+        out, err = process.communicate(text_in.encode() if text_in is not None else None, timeout=120)
+        err = (err or b"").decode()
+        self.assertEqual(process.returncode, status, f"rectray {' '.join(words)}\n{err}")
+        return out, err
+
+    def render(self, *words, **options):
+        return self.run_program("render", "scene.json", "--backend", "reference", *words, **options)
