@@ -107,6 +107,8 @@ static __attribute__((noinline)) int inside_sign(global const FaceRecord *face, 
         wide a[3], b[3];
         face_corner(face, k, a);
         face_corner(face, (k + 1) & 3, b);
+        if (a[0] == b[0] && a[1] == b[1] && a[2] == b[2])
+            continue; /* a triangle has three edges */
         Exact p = exact_difference(a, origin), q = exact_difference(b, origin);
         int sign = determinant_sign(direction, &p, &q);
         lowest = min(lowest, sign);

@@ -104,7 +104,7 @@ static Wide plane_distance(const Geometry *g, int face, PlaneRow plane, WideVec 
     Wide value = plane.x * x + plane.y * y + plane.z * z;
     Wide bound = (plane.error + 4 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z));
     WideMask unsure = active & IS(fabs(value) <= bound);
-    if (!ANY(unsure))
+    if (!ANY(TO_MASK(unsure)))
         return value;
     wide v[LANES], p[3][LANES], b[LANES];
     STORE(value, v);

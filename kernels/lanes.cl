@@ -20,11 +20,17 @@ typedef float wide;
 
 #if REAL_DOUBLE
 typedef double real;
+typedef double2 real2;
+typedef double4 real4;
+typedef double8 real8;
 #define REAL_ROUNDING 0x1p-53
 #define REAL_FLOOR 0x1p-900
 #define SHIFT_FLOOR 0x1p-100
 #else
 typedef float real;
+typedef float2 real2;
+typedef float4 real4;
+typedef float8 real8;
 #define REAL_ROUNDING 0x1p-24f
 #define REAL_FLOOR 0x1p-120f
 #define SHIFT_FLOOR 0x1p-60f
@@ -39,7 +45,6 @@ typedef wide Wide;
 typedef int Mask; /* all bits set: yes, 0: no; also holds the number of a face */
 typedef int WideMask;
 #define IS(comparison) (-(comparison))
-#define ANY(mask) ((mask) != 0)
 #define TO_WIDE(x) ((wide)(x))
 #define TO_REAL(x) ((real)(x))
 #define TO_WIDE_MASK(m) (m)
@@ -81,14 +86,6 @@ typedef PASTE(int, LANES) WideMask;
 #define TO_REAL(x) (x)
 #endif
 #define IS(comparison) (comparison)
-#if defined(__has_builtin)
-#if __has_builtin(__builtin_reduce_or)
-#define ANY(mask) (__builtin_reduce_or(mask) != 0) /* a third of the instructions of any() with PoCL 3.1 */
-#endif
-#endif
-#ifndef ANY
-#define ANY(mask) any(mask)
-#endif
 #define LOAD(p) PASTE(vload, LANES)(0, p)
 #define STORE(v, p) PASTE(vstore, LANES)(v, 0, p)
 #endif
@@ -165,13 +162,57 @@ static Lanes power(Lanes x, Lanes y)
 #endif
 }
 
-/* How many lanes of the mask are set. */
-static uint mask_count(Mask mask)
+/* A mask as bits, lane 0 the lowest. One instruction where the processor has it. */
+#ifndef __has_builtin
+#define __has_builtin(x) 0
+#endif
+#if defined(__AVX512DQ__) && __has_builtin(__builtin_ia32_cvtd2mask512) && __has_builtin(__builtin_ia32_cvtq2mask512)
+#define HAS_MOVEMASK 1
+#endif
+
+static uint mask_bits(Mask mask)
 {
+#if LANES == 1
+    return mask & 1;
+#elif HAS_MOVEMASK && LANES == 16 && !REAL_DOUBLE
+    return (ushort)__builtin_ia32_cvtd2mask512(mask);
+#elif HAS_MOVEMASK && LANES == 16 && REAL_DOUBLE
+    return (uchar)__builtin_ia32_cvtq2mask512(mask.lo) | (uint)(uchar)__builtin_ia32_cvtq2mask512(mask.hi) << 8;
+#elif HAS_MOVEMASK && LANES == 8 && REAL_DOUBLE
+    return (uchar)__builtin_ia32_cvtq2mask512(mask);
+#else
     MaskElement elements[LANES];
     STORE(mask, elements);
-    uint count = 0;
+    uint bits = 0;
     for (int i = 0; i < LANES; i++)
-        count += elements[i] != 0;
-    return count;
+        bits |= elements[i] ? 1u << i : 0u;
+    return bits;
+#endif
+}
+
+#define ANY(mask) (mask_bits(mask) != 0)
+
+/* How many lanes of the mask are set. */
+static uint mask_count(Mask mask) { return popcount(mask_bits(mask)); }
+
+/* The number of the lowest bit that is set; there is one. */
+static int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
+
+/* The lowest value of all lanes, by halves. */
+static real lanes_lowest(Lanes x)
+{
+#if LANES == 1
+    return x;
+#else
+#if LANES == 16
+    PASTE(real, 8) x8 = LESSER(x.lo, x.hi);
+    PASTE(real, 4) x4 = LESSER(x8.lo, x8.hi);
+#elif LANES == 8
+    PASTE(real, 4) x4 = LESSER(x.lo, x.hi);
+#else
+    Lanes x4 = x;
+#endif
+    PASTE(real, 2) x2 = LESSER(x4.lo, x4.hi);
+    return LESSER(x2.x, x2.y);
+#endif
 }

@@ -17,13 +17,9 @@ typedef struct Shading {
 /* The number in the first lane that is set in the mask. */
 static int first_of(Mask numbers, Mask mask)
 {
-    MaskElement n[LANES], m[LANES];
+    MaskElement n[LANES];
     STORE(numbers, n);
-    STORE(mask, m);
-    int i = 0;
-    while (i < LANES - 1 && !m[i])
-        i++;
-    return (int)n[i];
+    return (int)n[lowest_bit(mask_bits(mask))];
 }
 
 /* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */

@@ -26,16 +26,7 @@ typedef struct Bundle {
 #define REACH_ALL ((real)1e30f)
 #define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING)) /* more than the rounding of what follows could take away */
 
-static real lowest(Lanes x, Mask active)
-{
-    real values[LANES];
-    STORE(active ? x : (Lanes)REACH_ALL, values);
-    real low = values[0];
-    for (int i = 1; i < LANES; i++)
-        low = values[i] < low ? values[i] : low;
-    return low;
-}
-
+static real lowest(Lanes x, Mask active) { return lanes_lowest(active ? x : (Lanes)REACH_ALL); }
 static real highest(Lanes x, Mask active) { return -lowest(-x, active); }
 
 static Slab slab(Lanes origin, Lanes direction, Mask active)
@@ -113,16 +104,16 @@ static void push_children(const Tree *tree, const Bundle *b, int node, Stack *st
         for (int axis = 0; axis < 3; axis++)
             cross_slab(b->slabs[axis], LOAD_FLOATS(boxes + 2 * axis * NODE_WIDTH + part),
                        LOAD_FLOATS(boxes + (2 * axis + 1) * NODE_WIDTH + part), &enter, &leave);
-        Mask met = IS(enter <= GROWN(leave));
-        if (!ANY(met))
+        uint met = mask_bits(IS(enter <= GROWN(leave)));
+        if (!met)
             continue;
         real enters[LANES];
-        MaskElement meets[LANES];
         STORE(enter, enters);
-        STORE(met, meets);
-        for (int i = 0; i < LANES; i++)
-            if (meets[i] && children[part + i] != NO_CHILD)
+        for (; met; met &= met - 1) {
+            int i = lowest_bit(met);
+            if (children[part + i] != NO_CHILD)
                 stack_insert(stack, floor, children[part + i], enters[i]);
+        }
     }
 }
 
@@ -190,14 +181,10 @@ static Mask like_first(Vec direction, Mask active)
 {
     Vec d = vec_scale(1 / vec_largest(direction), direction);
     real x[LANES], y[LANES], z[LANES];
-    MaskElement a[LANES];
     STORE(d.x, x);
     STORE(d.y, y);
     STORE(d.z, z);
-    STORE(active, a);
-    int i = 0;
-    while (i < LANES - 1 && !a[i])
-        i++;
+    int i = lowest_bit(mask_bits(active));
     const real like = (real)0.25f;
     return active & IS(fabs(d.x - x[i]) <= (Lanes)like) & IS(fabs(d.y - y[i]) <= (Lanes)like) &
            IS(fabs(d.z - z[i]) <= (Lanes)like);

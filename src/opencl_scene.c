@@ -52,7 +52,8 @@ static void put_edges(Reals *edges, size_t row, const Face *face)
     double double_error = edges->precision == PRECISION_DOUBLE ? 1 : 0x1p-26;
     double moment_bound = 0, direction_bound = 0;
     for (int k = 0; k < 4; k++) {
-        Vec3 a = face_vertex(face, k), b = face_vertex(face, (k + 1) % 4);
+        int edge = k < face->vertex_count ? k : 0; /* a triangle's fourth row repeats its first edge */
+        Vec3 a = face_vertex(face, edge), b = face_vertex(face, (edge + 1) % face->vertex_count);
         Vec3 direction = vec3_sub(b, a), moment = vec3_cross(a, direction); /* = a x b, with less cancellation */
         put_vec3(edges, row + (size_t)k * EDGE_REALS + EDGE_MOMENT, moment);
         put_vec3(edges, row + (size_t)k * EDGE_REALS + EDGE_DIRECTION, direction);
