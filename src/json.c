@@ -23,7 +23,10 @@ static void append(Message *message, const char *format, ...)
     message->length += (size_t)length < room ? (size_t)length : room - 1;
 }
 
-static bool is_continuation(const char *c) { return ((unsigned char)*c & 0xC0) == 0x80; } /* of a UTF-8 sequence */
+static bool is_continuation(const char *c)
+{
+    return ((unsigned char)*c & 0xC0) == 0x80;
+} /* of a UTF-8 sequence */
 
 /* The line of the place, cut to a window of some 100 characters, and a caret on the line below. */
 static Message excerpt_of(const Json *json, const char *start_of_line, const char *place)
@@ -64,8 +67,8 @@ static bool fail_at(const Json *json, const char *place, const char *path, const
         }
     for (const char *c = start_of_line; c < place; c++)
         column += !is_continuation(c);
-    return error_set(json->error, ERROR_INPUT, "%s:%ld:%ld: %s%s%s\n%s", json->name, line, column, path, *path ? ": " : "",
-                     reason, excerpt_of(json, start_of_line, place).text);
+    return error_set(json->error, ERROR_INPUT, "%s:%ld:%ld: %s%s%s\n%s", json->name, line, column, path,
+                     *path ? ": " : "", reason, excerpt_of(json, start_of_line, place).text);
 }
 
 /* The way from the root to a value, and how many values begin before it. */

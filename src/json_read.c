@@ -23,14 +23,18 @@ bool json_fail_type(const Json *json, const cJSON *item, const char *wanted)
     return json_fail(json, item, "must be %s, not %s", wanted, type_of(item));
 }
 
-bool json_is_comment(const cJSON *member) { return strcmp(member->string, "//") == 0; }
+bool json_is_comment(const cJSON *member)
+{
+    return strcmp(member->string, "//") == 0;
+}
 
 bool json_check_comment(const Json *json, const cJSON *member)
 {
     for (const cJSON *line = cJSON_IsArray(member) ? member->child : NULL; line; line = line->next)
         if (!cJSON_IsString(line))
             return json_fail_type(json, line, "a string, as a line of a comment");
-    return cJSON_IsString(member) || cJSON_IsArray(member) || json_fail_type(json, member, "a string or a list of strings");
+    return cJSON_IsString(member) || cJSON_IsArray(member) ||
+           json_fail_type(json, member, "a string or a list of strings");
 }
 
 /* Suggests the nearest known key, and lists all that are known here. */
@@ -79,7 +83,8 @@ bool json_number(const Json *json, const cJSON *item, double low, double high, d
     if (!cJSON_IsNumber(item))
         return json_fail_type(json, item, "a number");
     *value = item->valuedouble;
-    return (*value >= low && *value <= high) || json_fail(json, item, "must be from %g to %g, not %.15g", low, high, *value);
+    return (*value >= low && *value <= high) ||
+           json_fail(json, item, "must be from %g to %g, not %.15g", low, high, *value);
 }
 
 bool json_integer(const Json *json, const cJSON *item, int low, int high, int *value)
@@ -131,4 +136,7 @@ bool json_choice(const Json *json, const cJSON *item, const char *const *words, 
     return json_fail(json, item, "must be %s, not %s", known, text_quote(word).text);
 }
 
-bool json_list(const Json *json, const cJSON *item) { return cJSON_IsArray(item) || json_fail_type(json, item, "a list"); }
+bool json_list(const Json *json, const cJSON *item)
+{
+    return cJSON_IsArray(item) || json_fail_type(json, item, "a list");
+}

@@ -172,7 +172,10 @@ static bool scan_key(Scan *scan)
     return true;
 }
 
-static bool in_object(const Scan *scan) { return *scan->open[scan->depth - 1] == '{'; }
+static bool in_object(const Scan *scan)
+{
+    return *scan->open[scan->depth - 1] == '{';
+}
 
 /* An opening bracket up to its first member; an empty list or object is scanned whole and is not left open. */
 static bool scan_open(Scan *scan)
@@ -239,7 +242,9 @@ JsonToken json_find_value(const char *text, long values_before)
     JsonToken token = {.key = NULL};
     for (const char *at = text;;) {
         at += strspn(at, " \t\r\n,:]}");
-        const char *end = *at == '"' ? string_end(at) : *at == '{' || *at == '[' ? at + 1 : at + strcspn(at, " \t\r\n,]}");
+        const char *end = *at == '"'                 ? string_end(at)
+                          : *at == '{' || *at == '[' ? at + 1
+                                                     : at + strcspn(at, " \t\r\n,]}");
         if (*at == '"' && *skip_blanks(end) == ':') {
             token.key = at;
         } else if (values_before-- == 0) {

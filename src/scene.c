@@ -22,7 +22,10 @@ double screen_height(const Screen *screen)
     return screen->height > 0 ? screen->height : screen->width * screen->rows / screen->columns;
 }
 
-static double round_to(double step, double x) { return floor(x / step + 0.5) * step; }
+static double round_to(double step, double x)
+{
+    return floor(x / step + 0.5) * step;
+}
 
 Vec3 scene_centre(Vec3 low, Vec3 high)
 {

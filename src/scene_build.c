@@ -38,8 +38,8 @@ int build_material(SceneBuild *build, Material material)
 bool build_object(SceneBuild *build, const char *name, BuildObject object)
 {
     Scene *scene = build->scene;
-    Object *grown =
-        array_grown(scene->objects, scene->object_count, &build->object_capacity, sizeof *grown, "objects", build->error);
+    Object *grown = array_grown(scene->objects, scene->object_count, &build->object_capacity, sizeof *grown, "objects",
+                                build->error);
     if (!grown)
         return false;
     scene->objects = grown;
@@ -67,7 +67,10 @@ bool build_point(SceneBuild *build, Vec3 point)
     return true;
 }
 
-int build_point_count(const SceneBuild *build) { return build->point_count - build->object.first_point; }
+int build_point_count(const SceneBuild *build)
+{
+    return build->point_count - build->object.first_point;
+}
 
 static bool describe(SceneBuild *build, Shape shape, const int *vertices)
 {
@@ -78,16 +81,21 @@ static bool describe(SceneBuild *build, Shape shape, const int *vertices)
         if (first == second)
             return fail(build, "the face uses vertex %d twice", first);
         return fail(build, "vertices %d and %d of the face are the same point", first, second);
-    case SHAPE_NO_AREA: return fail(build, "the face has no area: its vertices lie on one line");
+    case SHAPE_NO_AREA:
+        return fail(build, "the face has no area: its vertices lie on one line");
     case SHAPE_NOT_PLANAR:
-        return fail(build,
-                    "the face is not planar: vertex %d is %.6g from its plane, and 1e-5 of the longer diagonal (%.6g) is "
-                    "allowed; \"nonplanar\": \"split\" would make it two triangles",
-                    first, shape.distance, 1e-5 * shape.diagonal);
-    case SHAPE_CONCAVE: return fail(build, "the face is not convex: it turns the other way at vertex %d", first);
-    case SHAPE_CROSSED: return fail(build, "the face is a bow-tie: two of its sides cross; list its vertices in order around it");
+        return fail(
+            build,
+            "the face is not planar: vertex %d is %.6g from its plane, and 1e-5 of the longer diagonal (%.6g) is "
+            "allowed; \"nonplanar\": \"split\" would make it two triangles",
+            first, shape.distance, 1e-5 * shape.diagonal);
+    case SHAPE_CONCAVE:
+        return fail(build, "the face is not convex: it turns the other way at vertex %d", first);
+    case SHAPE_CROSSED:
+        return fail(build, "the face is a bow-tie: two of its sides cross; list its vertices in order around it");
     case SHAPE_NOT_FINITE: /* build_point has excluded it */
-    case SHAPE_GOOD: break;
+    case SHAPE_GOOD:
+        break;
     }
     return true;
 }
@@ -134,7 +142,8 @@ bool build_face(SceneBuild *build, const int *vertices, int count, int material,
     if (shape.verdict == SHAPE_NOT_PLANAR && build->object.split) {
         const int halves[2][3] = {{vertices[0], vertices[1], vertices[2]}, {vertices[0], vertices[2], vertices[3]}};
         for (int i = 0; i < 2; i++)
-            if (!describe(build, shape_at(build, halves[i], 3), halves[i]) || !add_face(build, halves[i], 3, material, place))
+            if (!describe(build, shape_at(build, halves[i], 3), halves[i]) ||
+                !add_face(build, halves[i], 3, material, place))
                 return false;
     } else if (!describe(build, shape, vertices) || !add_face(build, vertices, count, material, place))
         return false;

@@ -39,9 +39,9 @@ typedef struct SceneBuild {
     BuildFace *faces;
     int face_count, face_capacity;
     int object_capacity, material_capacity;
-    int next_number;   /* of a face */
-    BuildObject object; /* the one being built */
-    char reason[256];  /* why the last call failed, where the error says nothing */
+    int next_number;        /* of a face */
+    BuildObject object;     /* the one being built */
+    char reason[256];       /* why the last call failed, where the error says nothing */
     const BuildFace *fault; /* the face that build_finish failed at; NULL: the camera, or */
     int fault_light;        /* this light, -1: none */
 } SceneBuild;

@@ -54,8 +54,8 @@ static bool round_face(SceneBuild *build, const BuildFace *from, Face *face)
     }
     if (shape_of_rounded(rounded, face->vertex_count).verdict)
         return fail(build, from,
-                         "the face is too small for its distance from the centre of the scene: rounded to float32 it "
-                         "loses its area or its shape");
+                    "the face is too small for its distance from the centre of the scene: rounded to float32 it "
+                    "loses its area or its shape");
     return true;
 }
 
@@ -73,7 +73,8 @@ static bool move_camera(SceneBuild *build)
     Vec3 after = vec3_sub(camera->look_at, camera->position);
     double length = vec3_length(after);
     if (!(length > 0 && vec3_length(vec3_sub(after, before)) <= 1e-9 * length))
-        return fail(build, NULL, "\"look_at\" is too near to \"position\" for their distance from the centre of the scene");
+        return fail(build, NULL,
+                    "\"look_at\" is too near to \"position\" for their distance from the centre of the scene");
     return true;
 }
 

@@ -34,7 +34,8 @@ static bool read_camera(const Json *json, const cJSON *item, Camera *camera)
     JsonMember keys[] = {{.name = "position", .required = true}, {.name = "look_at", .required = true}, {.name = "up"}};
     camera->up = vec3(0, 1, 0);
     if (!json_members(json, item, keys, JSON_COUNT(keys)) || !read_point(json, keys[0].item, &camera->position) ||
-        !read_point(json, keys[1].item, &camera->look_at) || (keys[2].item && !read_point(json, keys[2].item, &camera->up)))
+        !read_point(json, keys[1].item, &camera->look_at) ||
+        (keys[2].item && !read_point(json, keys[2].item, &camera->up)))
         return false;
     Vec3 view = vec3_sub(camera->look_at, camera->position);
     if (!vec3_is_finite(view))
@@ -54,7 +55,10 @@ static bool read_camera(const Json *json, const cJSON *item, Camera *camera)
 static bool read_screen(const Json *json, const cJSON *item, Screen *screen)
 {
     JsonMember keys[] = {
-        {.name = "columns", .required = true}, {.name = "rows", .required = true}, {.name = "distance"}, {.name = "width"},
+        {.name = "columns", .required = true},
+        {.name = "rows", .required = true},
+        {.name = "distance"},
+        {.name = "width"},
         {.name = "height"},
     };
     *screen = (Screen){.distance = 1, .width = 2, .height = 0};
@@ -100,7 +104,8 @@ static bool read_material(const Json *json, const cJSON *item, Material *materia
         {.name = "ambient"}, {.name = "diffuse"}, {.name = "specular"}, {.name = "shininess"}, {.name = "reflection"}};
     *material = (Material){.name = item->string};
     return json_members(json, item, keys, JSON_COUNT(keys)) && read_colour(json, keys[0].item, &material->ambient) &&
-           read_colour(json, keys[1].item, &material->diffuse) && read_colour(json, keys[2].item, &material->specular) &&
+           read_colour(json, keys[1].item, &material->diffuse) &&
+           read_colour(json, keys[2].item, &material->specular) &&
            (!keys[3].item || json_number(json, keys[3].item, 0, SCENE_MAX_SHININESS, &material->shininess)) &&
            (!keys[4].item || json_number(json, keys[4].item, 0, 1, &material->reflection));
 }
@@ -169,16 +174,20 @@ static bool fail_finish(const Json *json, const JsonMember *keys, const SceneBui
 static bool read_scene(const Json *json, Scene *scene, SceneBuild *build)
 {
     JsonMember keys[SCENE_KEYS] = {
-        [CAMERA] = {.name = "camera", .required = true}, [SCREEN] = {.name = "screen", .required = true},
-        [LIGHTS] = {.name = "lights"},                   [MATERIALS] = {.name = "materials"},
-        [OBJECTS] = {.name = "objects"},                 [SHADING] = {.name = "shading"},
+        [CAMERA] = {.name = "camera", .required = true},
+        [SCREEN] = {.name = "screen", .required = true},
+        [LIGHTS] = {.name = "lights"},
+        [MATERIALS] = {.name = "materials"},
+        [OBJECTS] = {.name = "objects"},
+        [SHADING] = {.name = "shading"},
         [SAMPLING] = {.name = "sampling"},
     };
     if (!json_members(json, json->root, keys, SCENE_KEYS) || !read_camera(json, keys[CAMERA].item, &scene->camera) ||
         !read_screen(json, keys[SCREEN].item, &scene->screen) || !read_lights(json, keys[LIGHTS].item, scene) ||
         !read_materials(json, keys[MATERIALS].item, build) ||
         (keys[OBJECTS].item && !objects_read(json, keys[OBJECTS].item, build)) ||
-        !read_shading(json, keys[SHADING].item, &scene->shading) || !read_sampling(json, keys[SAMPLING].item, &scene->grid))
+        !read_shading(json, keys[SHADING].item, &scene->shading) ||
+        !read_sampling(json, keys[SAMPLING].item, &scene->grid))
         return false;
     return build_finish(build) || fail_finish(json, keys, build);
 }

@@ -18,7 +18,8 @@ static bool add_material(MtlLibrary *library, const TextLines *lines, const char
     if (!materials)
         return false;
     library->materials = materials;
-    int *used_as = array_grown(library->used_as, library->count, &library->used_capacity, sizeof *used_as, "materials", error);
+    int *used_as =
+        array_grown(library->used_as, library->count, &library->used_capacity, sizeof *used_as, "materials", error);
     if (!used_as)
         return false;
     library->used_as = used_as;
@@ -73,10 +74,14 @@ static bool read_line(MtlLibrary *library, const TextLines *lines, char *line, b
         return word_fail(lines, error, "%s before the first newmtl", key);
     Material *material = &library->materials[library->count - 1];
     switch (k) {
-    case 0: return read_colour(lines, key, rest, &material->ambient, error);
-    case 1: return read_colour(lines, key, rest, &material->diffuse, error);
-    case 2: return read_colour(lines, key, rest, &material->specular, error);
-    default: return read_shininess(lines, rest, &material->shininess, error);
+    case 0:
+        return read_colour(lines, key, rest, &material->ambient, error);
+    case 1:
+        return read_colour(lines, key, rest, &material->diffuse, error);
+    case 2:
+        return read_colour(lines, key, rest, &material->specular, error);
+    default:
+        return read_shininess(lines, rest, &material->shininess, error);
     }
 }
 
@@ -97,7 +102,8 @@ bool mtl_read(MtlLibrary *library, char *path, Error *error)
             free(path);
             return true;
         }
-    char **files = array_grown(library->files, library->file_count, &library->file_capacity, sizeof *files, "paths", error);
+    char **files =
+        array_grown(library->files, library->file_count, &library->file_capacity, sizeof *files, "paths", error);
     if (!files) {
         free(path);
         return false;

@@ -73,7 +73,8 @@ static bool read_reference(const ObjReader *reader, const char *word, int *verte
         return word_fail(&reader->lines, error, "%s is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)",
                          text_quote(word).text);
     if (number > defined || number < -defined)
-        return word_fail(&reader->lines, error, "vertex %lld does not exist; %d are defined above this line", number, defined);
+        return word_fail(&reader->lines, error, "vertex %lld does not exist; %d are defined above this line", number,
+                         defined);
     *vertex = (int)(number > 0 ? number - 1 : defined + number);
     return true;
 }

@@ -31,7 +31,8 @@ static bool fail_material(const Json *json, const cJSON *item, const SceneBuild 
     Quoted name = text_quote(item->valuestring);
     if (!nearest)
         return json_fail(json, item, "the material %s does not exist", name.text);
-    return json_fail(json, item, "the material %s does not exist; did you mean %s?", name.text, text_quote(nearest).text);
+    return json_fail(json, item, "the material %s does not exist; did you mean %s?", name.text,
+                     text_quote(nearest).text);
 }
 
 static bool find_material(const Json *json, const cJSON *item, const SceneBuild *build, int *material)
@@ -99,7 +100,8 @@ static bool read_box(const Json *json, const cJSON *item, SceneBuild *build)
     const double lows[] = {low.x, low.y, low.z}, highs[] = {high.x, high.y, high.z};
     for (int i = 0; i < 3; i++)
         if (!(lows[i] < highs[i]))
-            return json_fail(json, item, "\"min\" must be below \"max\" on every axis; in %c it is %.15g, and \"max\" %.15g",
+            return json_fail(json, item,
+                             "\"min\" must be below \"max\" on every axis; in %c it is %.15g, and \"max\" %.15g",
                              "xyz"[i], lows[i], highs[i]);
     return build_box(build, low, high) || fail_build(json, item, build);
 }
@@ -146,9 +148,15 @@ static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *
 static bool read_object(const Json *json, const cJSON *item, int index, SceneBuild *build)
 {
     JsonMember keys[OBJECT_KEYS] = {
-        [NAME] = {.name = "name"},           [MATERIAL] = {.name = "material"}, [VERTICES] = {.name = "vertices"},
-        [FACES] = {.name = "faces"},         [BOX] = {.name = "box"},           [OBJ] = {.name = "obj"},
-        [TRANSFORM] = {.name = "transform"}, [NONPLANAR] = {.name = "nonplanar"}, [SIDED] = {.name = "sided"},
+        [NAME] = {.name = "name"},
+        [MATERIAL] = {.name = "material"},
+        [VERTICES] = {.name = "vertices"},
+        [FACES] = {.name = "faces"},
+        [BOX] = {.name = "box"},
+        [OBJ] = {.name = "obj"},
+        [TRANSFORM] = {.name = "transform"},
+        [NONPLANAR] = {.name = "nonplanar"},
+        [SIDED] = {.name = "sided"},
     };
     if (!json_members(json, item, keys, OBJECT_KEYS))
         return false;

@@ -6,9 +6,15 @@
 
 static const double PLANARITY = 1e-5, STRAIGHTNESS = 1e-5, ROUNDED_STRAIGHTNESS = 1e-2;
 
-static bool same_point(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+static bool same_point(Vec3 a, Vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
 
-static double largest_coordinate(Vec3 a) { return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))); }
+static double largest_coordinate(Vec3 a)
+{
+    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
 
 /* Twice the area that rounding errors of half an ulp in each coordinate can give to points on one line: an error of
  * `size` * DBL_EPSILON in each of two sides of up to `diagonal`, in three products each. */

@@ -108,7 +108,8 @@ char *text_next_line(TextLines *lines, Error *error)
     }
     lines->line++;
     if (!stop && lines->end == TEXT_LINE_MAX + 1) {
-        error_set(error, ERROR_INPUT, "%s:%ld: the line is longer than %d bytes", lines->path, lines->line, TEXT_LINE_MAX);
+        error_set(error, ERROR_INPUT, "%s:%ld: the line is longer than %d bytes", lines->path, lines->line,
+                  TEXT_LINE_MAX);
         return NULL;
     }
     if (!stop) /* the last line, without an end */

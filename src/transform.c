@@ -6,7 +6,10 @@ Transform transform_scale(Vec3 factors)
     return (Transform){.rows = {{factors.x, 0, 0}, {0, factors.y, 0}, {0, 0, factors.z}}};
 }
 
-Transform transform_identity(void) { return transform_scale(vec3(1, 1, 1)); }
+Transform transform_identity(void)
+{
+    return transform_scale(vec3(1, 1, 1));
+}
 
 Transform transform_translate(Vec3 offset)
 {
@@ -23,10 +26,18 @@ static void sine_cosine(double degrees, double *sine, double *cosine)
     double rest = remquo(degrees, 90, &quarter) * (3.14159265358979323846 / 180);
     double s = sin(rest), c = cos(rest);
     switch (quarter & 3) {
-    case 0: *sine = s, *cosine = c; break;
-    case 1: *sine = c, *cosine = -s; break;
-    case 2: *sine = -s, *cosine = -c; break;
-    default: *sine = -c, *cosine = s; break;
+    case 0:
+        *sine = s, *cosine = c;
+        break;
+    case 1:
+        *sine = c, *cosine = -s;
+        break;
+    case 2:
+        *sine = -s, *cosine = -c;
+        break;
+    default:
+        *sine = -c, *cosine = s;
+        break;
     }
 }
 
@@ -61,7 +72,8 @@ Transform transform_then(Transform first, Transform next)
 Vec3 transform_point(const Transform *transform, Vec3 point)
 {
     const Vec3 *rows = transform->rows;
-    return vec3_add(vec3(vec3_dot(rows[0], point), vec3_dot(rows[1], point), vec3_dot(rows[2], point)), transform->offset);
+    return vec3_add(vec3(vec3_dot(rows[0], point), vec3_dot(rows[1], point), vec3_dot(rows[2], point)),
+                    transform->offset);
 }
 
 bool transform_mirrors(const Transform *transform)

@@ -34,7 +34,10 @@ static void assert_vec3_within(double tolerance, Vec3 expected, Vec3 v)
     TEST_ASSERT_DOUBLE_WITHIN(tolerance, expected.z, v.z);
 }
 
-static void assert_moves(Transform transform, Vec3 from, Vec3 to) { assert_vec3_within(1e-15, to, transform_point(&transform, from)); }
+static void assert_moves(Transform transform, Vec3 from, Vec3 to)
+{
+    assert_vec3_within(1e-15, to, transform_point(&transform, from));
+}
 
 static void scale_should_multiply_each_axis(void)
 {
@@ -42,7 +45,10 @@ static void scale_should_multiply_each_axis(void)
     TEST_ASSERT_FALSE(transform_mirrors(&(Transform){.rows = {{2, 0, 0}, {0, 3, 0}, {0, 0, 4}}}));
 }
 
-static void translate_should_add(void) { assert_moves(transform_translate(vec3(1, -2, 3)), vec3(10, 20, 30), vec3(11, 18, 33)); }
+static void translate_should_add(void)
+{
+    assert_moves(transform_translate(vec3(1, -2, 3)), vec3(10, 20, 30), vec3(11, 18, 33));
+}
 
 static void rotate_should_follow_the_right_hand(void)
 {
@@ -104,7 +110,8 @@ static void shape_should_accept_convex_faces_either_way_round(void)
     TEST_ASSERT_EQUAL(SHAPE_GOOD, shape_of(square, 4).verdict);
     TEST_ASSERT_EQUAL(SHAPE_GOOD, shape_of(square, 3).verdict);
     TEST_ASSERT_EQUAL(SHAPE_GOOD, verdict_of(square[3], square[2], square[1], square[0]));
-    TEST_ASSERT_EQUAL(SHAPE_GOOD, verdict_of(vec3(0, 0, 0), vec3(1, 0, 0), vec3(2, 0, 0), vec3(1, 1, 0))); /* a straight corner */
+    TEST_ASSERT_EQUAL(SHAPE_GOOD,
+                      verdict_of(vec3(0, 0, 0), vec3(1, 0, 0), vec3(2, 0, 0), vec3(1, 1, 0))); /* a straight corner */
     TEST_ASSERT_EQUAL(SHAPE_GOOD, verdict_of(vec3(0, 0, 0), vec3(1e6, 0, 0), vec3(1e6, 1, 0), vec3(0, 1, 0)));
 }
 
@@ -199,15 +206,22 @@ static void assert_box_outward(Transform transform)
     for (int i = 0; i < 6; i++) {
         double side = i % 2 ? 1 : -1;
         Vec3 expected = vec3(i / 2 == 0 ? side : 0, i / 2 == 1 ? side : 0, i / 2 == 2 ? side : 0);
-        expected = vec3_sub(transform_point(&transform, expected), transform.offset); /* axes stay at right angles here */
+        expected =
+            vec3_sub(transform_point(&transform, expected), transform.offset); /* axes stay at right angles here */
         assert_vec3_within(1e-6, vec3_unit(expected), scene.planes[i].normal);
         TEST_ASSERT_TRUE(vec3_dot(scene.planes[i].normal, vec3_sub(face_vertex(&scene.faces[i], 0), middle)) > 0);
     }
 }
 
-static void box_should_be_wound_outward_in_order(void) { assert_box_outward(transform_identity()); }
+static void box_should_be_wound_outward_in_order(void)
+{
+    assert_box_outward(transform_identity());
+}
 
-static void box_should_stay_wound_outward_when_mirrored(void) { assert_box_outward(transform_scale(vec3(1, 1, -1))); }
+static void box_should_stay_wound_outward_when_mirrored(void)
+{
+    assert_box_outward(transform_scale(vec3(1, 1, -1)));
+}
 
 static void box_should_stay_wound_outward_when_turned_and_mirrored(void)
 {
@@ -251,7 +265,8 @@ static void finish_should_name_the_face_that_float32_cannot_hold(void)
 {
     const Vec3 points[6] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e8, 0, 0}, {1e8 + 1, 0, 0}, {1e8, 1, 0}};
     TEST_ASSERT_TRUE(add_points(points, 6));
-    TEST_ASSERT_TRUE(build_face(&build, (const int[]){0, 1, 2}, 3, -1, 70) && build_face(&build, (const int[]){3, 4, 5}, 3, -1, 71));
+    TEST_ASSERT_TRUE(build_face(&build, (const int[]){0, 1, 2}, 3, -1, 70) &&
+                     build_face(&build, (const int[]){3, 4, 5}, 3, -1, 71));
     TEST_ASSERT_FALSE(build_finish(&build));
     TEST_ASSERT_EQUAL(70, build.fault->place); /* both are 5e7 from the centre, where a float's step is 4 */
     TEST_ASSERT_NOT_NULL(strstr(build.reason, "too small"));

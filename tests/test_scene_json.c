@@ -11,7 +11,10 @@ static Scene scene;
 static Error error;
 
 void setUp(void) {}
-void tearDown(void) { scene_free(&scene); }
+void tearDown(void)
+{
+    scene_free(&scene);
+}
 
 static bool parse(const char *text)
 {
@@ -54,14 +57,17 @@ static void scene_parse_should_fill_in_the_documented_defaults(void)
 
 static void scene_parse_should_read_every_key(void)
 {
-    TEST_ASSERT_TRUE(parse(
-        "{ \"camera\": { \"position\": [0, 0, 0], \"look_at\": [0, 0, -3], \"up\": [0, 0.25, 0] },"
-        "  \"screen\": { \"columns\": 16384, \"rows\": 1.0, \"distance\": 3, \"width\": 4, \"height\": 5 },"
-        "  \"lights\": [{ \"position\": [1, 2, 3], \"ambient\": [1, 2, 3], \"diffuse\": [4, 5, 6], \"specular\": [7, 8, 9] }],"
-        "  \"materials\": { \"a\": {}, \"m\": { \"ambient\": [1, 2, 3], \"diffuse\": [4, 5, 6], \"specular\": [7, 8, 9],"
-        "                   \"shininess\": 100, \"reflection\": 0.5 } },"
-        "  \"shading\": { \"shadow\": \"ambient\", \"viewer\": \"ray\", \"max_bounces\": 64, \"background\": [0.1, 0.2, 3] },"
-        "  \"sampling\": { \"grid\": 16 } }"));
+    TEST_ASSERT_TRUE(
+        parse("{ \"camera\": { \"position\": [0, 0, 0], \"look_at\": [0, 0, -3], \"up\": [0, 0.25, 0] },"
+              "  \"screen\": { \"columns\": 16384, \"rows\": 1.0, \"distance\": 3, \"width\": 4, \"height\": 5 },"
+              "  \"lights\": [{ \"position\": [1, 2, 3], \"ambient\": [1, 2, 3], \"diffuse\": [4, 5, 6], \"specular\": "
+              "[7, 8, 9] }],"
+              "  \"materials\": { \"a\": {}, \"m\": { \"ambient\": [1, 2, 3], \"diffuse\": [4, 5, 6], \"specular\": "
+              "[7, 8, 9],"
+              "                   \"shininess\": 100, \"reflection\": 0.5 } },"
+              "  \"shading\": { \"shadow\": \"ambient\", \"viewer\": \"ray\", \"max_bounces\": 64, \"background\": "
+              "[0.1, 0.2, 3] },"
+              "  \"sampling\": { \"grid\": 16 } }"));
     assert_vec3(0, 0, -3, scene.camera.look_at);
     assert_vec3(0, 0.5, 0, scene.camera.up);
     TEST_ASSERT_EQUAL(16384, scene.screen.columns);
@@ -88,8 +94,9 @@ static void scene_parse_should_read_every_key(void)
     TEST_ASSERT_EQUAL(16, scene.grid);
 }
 
-static const char head[] = "{ \"camera\": { \"position\": [0, 0, 9], \"look_at\": [0, 0, 0] }, \"screen\": { \"columns\": 8, \"rows\": 6 },"
-                           "  \"materials\": { \"a\": {}, \"b\": {} }, \"objects\": ";
+static const char head[] =
+    "{ \"camera\": { \"position\": [0, 0, 9], \"look_at\": [0, 0, 0] }, \"screen\": { \"columns\": 8, \"rows\": 6 },"
+    "  \"materials\": { \"a\": {}, \"b\": {} }, \"objects\": ";
 
 static bool parse_objects(const char *objects)
 {
@@ -133,10 +140,11 @@ static void a_missing_vertex_should_be_reported_as_the_specification_says(void)
                             "    { \"material\": \"m\",\n"
                             "      \"vertices\": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0], [2, 1, 0]],\n"
                             "      \"faces\": [[0, 1, 2, 7]] } ] }"));
-    TEST_ASSERT_EQUAL_STRING("tests/scenes/x.json:9:17: objects[2].faces[0]: vertex 7 does not exist; the object has 6 vertices\n"
-                             "        \"faces\": [[0, 1, 2, 7]] } ] }\n"
-                             "                  ^",
-                             error.text);
+    TEST_ASSERT_EQUAL_STRING(
+        "tests/scenes/x.json:9:17: objects[2].faces[0]: vertex 7 does not exist; the object has 6 vertices\n"
+        "        \"faces\": [[0, 1, 2, 7]] } ] }\n"
+        "                  ^",
+        error.text);
     TEST_ASSERT_EQUAL(ERROR_INPUT, error.kind);
     TEST_ASSERT_EQUAL(0, scene.material_count); /* nothing is left */
 }
@@ -158,7 +166,8 @@ static void a_scene_should_be_independent_of_where_it_is(void)
     TEST_ASSERT_EQUAL(scene.face_count, far.face_count);
     for (int i = 0; i < far.face_count; i++)
         TEST_ASSERT_EQUAL_MEMORY(scene.faces[i].vertices, far.faces[i].vertices, sizeof far.faces[i].vertices);
-    assert_vec3(scene.lights[0].position.x, scene.lights[0].position.y, scene.lights[0].position.z, far.lights[0].position);
+    assert_vec3(scene.lights[0].position.x, scene.lights[0].position.y, scene.lights[0].position.z,
+                far.lights[0].position);
     Vec3 moved = vec3_sub(far.centre, scene.centre);
     assert_vec3(1e6, 1e6, 1e6, moved);
     scene_free(&far);

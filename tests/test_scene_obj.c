@@ -63,7 +63,8 @@ static void assert_points(int face, int a, int b, int c, int d)
 
 static void every_form_of_a_reference_should_name_its_vertex(void)
 {
-    TEST_ASSERT_TRUE_MESSAGE(read_model("f 1 2 3\nf 1/9 2/9 4/9\nf 1//9 2//-9 3//9 4//9\nf 2/1/1 3/-2/2 4/3/3\n"), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(read_model("f 1 2 3\nf 1/9 2/9 4/9\nf 1//9 2//-9 3//9 4//9\nf 2/1/1 3/-2/2 4/3/3\n"),
+                             error.text);
     TEST_ASSERT_EQUAL(4, build.face_count);
     assert_points(0, 0, 1, 2, 0);
     assert_points(1, 0, 1, 3, 0);
@@ -82,9 +83,10 @@ static void negative_references_should_count_from_the_last_vertex_so_far(void)
 
 static void other_lines_blanks_and_line_ends_should_not_matter(void)
 {
-    TEST_ASSERT_TRUE_MESSAGE(read_model("\r\n# f 1 2\r\nvt 0 0\r\nvn 0 0 1\r\no name\r\ng a b\r\ns 1\r\nl 1 2\r\nvp 1\r\n"
-                                        " \t f \t 1   2\t3  \r\nv +1.5e0 .5 2. \nv 0 0 2 1.0\nv 0 0 3 0.1 0.2 0.3\nf 5 6 7"),
-                             error.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        read_model("\r\n# f 1 2\r\nvt 0 0\r\nvn 0 0 1\r\no name\r\ng a b\r\ns 1\r\nl 1 2\r\nvp 1\r\n"
+                   " \t f \t 1   2\t3  \r\nv +1.5e0 .5 2. \nv 0 0 2 1.0\nv 0 0 3 0.1 0.2 0.3\nf 5 6 7"),
+        error.text);
     TEST_ASSERT_EQUAL(2, build.face_count);
     TEST_ASSERT_TRUE(build.points[4].x == 1.5 && build.points[4].y == 0.5 && build.points[4].z == 2);
 }
@@ -99,9 +101,12 @@ static void the_transform_should_move_the_model(void)
 static void usemtl_should_look_in_the_scene_then_in_the_library_then_at_the_object(void)
 {
     char text[256];
-    write_file(library, "# three\nnewmtl scene\nKd 1 1 1\n\nnewmtl glass blue\r\n Ka .1 .2 .3\n\tKd 0.4 0.5 0.6\nKs 0.7 0.8 0.9\nNs 25\n"
+    write_file(library, "# three\nnewmtl scene\nKd 1 1 1\n\nnewmtl glass blue\r\n Ka .1 .2 .3\n\tKd 0.4 0.5 0.6\nKs "
+                        "0.7 0.8 0.9\nNs 25\n"
                         "illum 2\nmap_Kd x.png\nnewmtl unused\n");
-    snprintf(text, sizeof text, "f 1 2 3\nmtllib %s\nmtllib %s\nusemtl scene\nf 1 2 3\nusemtl glass blue \nf 1 2 3\nf 1 2 4\nusemtl none\nf 1 2 3\n",
+    snprintf(text, sizeof text,
+             "f 1 2 3\nmtllib %s\nmtllib %s\nusemtl scene\nf 1 2 3\nusemtl glass blue \nf 1 2 3\nf 1 2 4\nusemtl "
+             "none\nf 1 2 3\n",
              strrchr(library, '/') + 1, strrchr(library, '/') + 1);
     TEST_ASSERT_TRUE_MESSAGE(read_model(text), error.text);
     static const int materials[5] = {0, 1, 2, 2, 0};
@@ -151,14 +156,17 @@ static void assert_fails(const char *lines, const char *place_and_reason)
 /* Only what tests/scenes/bad does not hold. */
 static void broken_lines_should_be_named(void)
 {
-    assert_fails("f 1 2 99999999999999999999\n", ":5: vertex 9223372036854775807 does not exist; 4 are defined above this line");
-    assert_fails("f 1 2 -99999999999999999999\n", ":5: vertex -9223372036854775808 does not exist; 4 are defined above this line");
+    assert_fails("f 1 2 99999999999999999999\n",
+                 ":5: vertex 9223372036854775807 does not exist; 4 are defined above this line");
+    assert_fails("f 1 2 -99999999999999999999\n",
+                 ":5: vertex -9223372036854775808 does not exist; 4 are defined above this line");
     assert_fails("f 1 2 5\nv 1 1 1\n", ":5: vertex 5 does not exist; 4 are defined above this line");
     static const char *const words[] = {"/1", "1/1/", "1//", "1/1/1/1", "1/0", "1/a", "+1", "-", "1.5", "\\"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         char line[64], expected[128];
         snprintf(line, sizeof line, "f 1 2 %s\n", words[i]);
-        snprintf(expected, sizeof expected, ":5: \"%s\" is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)", words[i]);
+        snprintf(expected, sizeof expected, ":5: \"%s\" is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)",
+                 words[i]);
         assert_fails(line, expected);
     }
     assert_fails("v 1e999 0 0\n", ":5: \"1e999\" is not a finite number");
