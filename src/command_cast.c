@@ -214,8 +214,8 @@ static bool open_rays(Caster *caster, Error *error)
     if (!caster->lines.file)
         return error_set(error, ERROR_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
     caster->lines.buffer = malloc(TEXT_LINE_MAX + 2);
-    caster->world = malloc(BATCH * 6 * sizeof *caster->world);
-    caster->local = malloc(BATCH * 6 * sizeof *caster->local);
+    caster->world = malloc(6 * sizeof *caster->world * BATCH);
+    caster->local = malloc(6 * sizeof *caster->local * BATCH);
     caster->hits = malloc(BATCH * sizeof *caster->hits);
     return caster->lines.buffer && caster->world && caster->local && caster->hits ? true
                                                                                   : error_memory(error, "the rays");

@@ -1,6 +1,6 @@
 /* The handler itself removes the file and ends the program. A flag that the program would look at now and then
  * is not enough: a kernel on an OpenCL device may run for minutes, and nothing can break it off.
- * It uses only what POSIX allows in a handler: unlink, write, _exit. */
+ * It uses only what POSIX allows in a handler: unlink, strlen, write, _exit. */
 #include "interrupt.h"
 
 #include <assert.h>
@@ -16,20 +16,24 @@
 static const char *volatile guarded;      /* the file to remove, NULL for none */
 static volatile sig_atomic_t on_terminal; /* whether stderr is one */
 
+/* A message that cannot be written has no one to tell. */
+static void say(const char *message)
+{
+    ssize_t ignored = write(STDERR_FILENO, message, strlen(message));
+    (void)ignored;
+}
+
 static void stop(int signal)
 {
-    static const char without_file[] = "rectray: interrupted\n";
-    static const char with_file[] = "rectray: interrupted; the picture was not written\n";
     const char *path = guarded;
-    bool removed = path && unlink(path) == 0;                          /* not removed: it has just got its final name */
-    ssize_t ignored = on_terminal ? write(STDERR_FILENO, "\n", 1) : 0; /* the line of the progress, and the ^C */
-    ignored = removed ? write(STDERR_FILENO, with_file, sizeof with_file - 1)
-                      : write(STDERR_FILENO, without_file, sizeof without_file - 1);
-    (void)ignored;
+    bool removed = path && unlink(path) == 0; /* not removed: it has just got its final name */
+    if (on_terminal)
+        say("\n"); /* after the line of the progress, and the ^C */
+    say(removed ? "rectray: interrupted; the picture was not written\n" : "rectray: interrupted\n");
     _exit(128 + signal);
 }
 
-static void catch (int signal, void (*handler)(int))
+static void set_handler(int signal, void (*handler)(int))
 {
     struct sigaction action;
     memset(&action, 0, sizeof action);
@@ -43,13 +47,13 @@ void interrupt_install(void)
 {
     struct sigaction hangup;
     on_terminal = isatty(STDERR_FILENO);
-    catch (SIGINT, stop);
-    catch (SIGTERM, stop);
+    set_handler(SIGINT, stop);
+    set_handler(SIGTERM, stop);
     /* nohup starts us with SIGHUP ignored, and means it. */
     if (sigaction(SIGHUP, NULL, &hangup) == 0 && hangup.sa_handler != SIG_IGN)
-        catch (SIGHUP, stop);
-    catch (SIGPIPE, SIG_IGN);
-    catch (SIGXFSZ, SIG_IGN);
+        set_handler(SIGHUP, stop);
+    set_handler(SIGPIPE, SIG_IGN);
+    set_handler(SIGXFSZ, SIG_IGN);
 }
 
 int interrupt_create_guarded(const char *path)
