@@ -131,3 +131,38 @@ static wide plane_distance_of_point(const Geometry *g, int face, PlaneRow plane,
     wide bound = (plane.error + 4 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z));
     return fabs(value) > bound ? value : with_sign(value, side_sign(record, point));
 }
+
+/* The part of each ray from t = enter to t = leave. */
+typedef struct Interval {
+    Wide enter, leave;
+} Interval;
+
+/* Narrows the interval to between two planes across an axis, as interval_between in box.c, bit for bit. */
+static void cross_planes(Interval *interval, wide low, wide high, Wide origin, Wide direction)
+{
+    const wide slack = 8 * WIDE_ROUNDING;
+    Wide to_low = (low - origin) / direction, to_high = (high - origin) / direction;
+    WideMask along = IS(direction == (Wide)0), forward = IS(direction > (Wide)0);
+    WideMask between = IS(origin >= (Wide)low) & IS(origin <= (Wide)high);
+    Wide enter = (forward ? to_low : to_high) * (1 - slack), leave = (forward ? to_high : to_low) * (1 + slack);
+    enter = along ? (between ? (Wide)0 : (Wide)WIDE_MAX) : enter;
+    leave = along ? (between ? (Wide)WIDE_MAX : (Wide)-WIDE_MAX) : leave;
+    interval->enter = enter > interval->enter ? enter : interval->enter;
+    interval->leave = leave < interval->leave ? leave : interval->leave;
+}
+
+/* Where each ray is in the box of the face's vertices. */
+static Interval interval_in_box(global const FaceRecord *face, WideVec origin, WideVec direction)
+{
+    wide low[3], high[3];
+    for (int axis = 0; axis < 3; axis++) {
+        float a = face->vertices[axis], b = face->vertices[3 + axis], c = face->vertices[6 + axis], d = face->vertices[9 + axis];
+        low[axis] = (wide)fmin(fmin(a, b), fmin(c, d));
+        high[axis] = (wide)fmax(fmax(a, b), fmax(c, d));
+    }
+    Interval interval = {(Wide)0, (Wide)WIDE_MAX};
+    cross_planes(&interval, low[0], high[0], origin.x, direction.x);
+    cross_planes(&interval, low[1], high[1], origin.y, direction.y);
+    cross_planes(&interval, low[2], high[2], origin.z, direction.z);
+    return interval;
+}

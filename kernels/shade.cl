@@ -30,7 +30,7 @@ static Vec point_shifted(global const FaceRecord *face, PlaneRow plane, Vec n, M
     Wide height = plane.x * x + plane.y * y + plane.z * z;
     height = TO_WIDE_MASK(with_normal) ? -height : height;
     Wide margin = (plane.error + 5 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z)) +
-                  TO_WIDE(2 * REAL_ROUNDING * vec_magnitudes(point));
+                  TO_WIDE(2 * REAL_ROUNDING * vec_magnitudes(point)) + (wide)(12 * REAL_ROUNDING) * fabs(height);
     margin = margin > (Wide)SHIFT_FLOOR ? margin : (Wide)SHIFT_FLOOR;
     return vec_add(point, vec_scale(TO_REAL(margin - height), n));
 }

@@ -50,6 +50,13 @@ static bool ask_nearest(const Geometry *g, NearestQuery *q, int i)
                            : (approach < (Wide)0 ? approach : (Wide)-WIDE_MIN);
     Wide t = -distance / approach;
     WideMask ahead = with_normal ? IS(distance < (Wide)0) : IS(distance > (Wide)0);
+    if (!g->faces[i].flat) {
+        /* Where the ray grazes the face, rounding must not put the hit outside the face's box. */
+        Interval in_box = interval_in_box(g->faces + i, q->origin, q->direction);
+        ahead &= IS(in_box.enter <= in_box.leave);
+        t = t < in_box.enter ? in_box.enter : t;
+        t = t > in_box.leave ? in_box.leave : t;
+    }
     Mask index = (Mask)g->faces[i].index;
     WideMask first = IS(t == q->nearest.t) & TO_WIDE_MASK(IS(index < q->nearest.index));
     WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(t <= (Wide)WIDE_MAX) & (IS(t < q->nearest.t) | first);
@@ -75,6 +82,11 @@ static bool ask_blocked(const Geometry *g, BlockedQuery *q, int i)
     Wide start = plane_distance(g, i, plane, q->origin, TO_WIDE_MASK(edges.may));
     WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
     WideMask between = end < 0 ? before : end > 0 && !g->faces[i].front_only ? behind : (WideMask)0;
+    if (!g->faces[i].flat) {
+        WideVec to_target = {q->target[0] - q->origin.x, q->target[1] - q->origin.y, q->target[2] - q->origin.z};
+        Interval in_box = interval_in_box(g->faces + i, q->origin, to_target);
+        between &= IS(in_box.enter <= in_box.leave) & IS(in_box.enter <= (Wide)1);
+    }
     Mask hit = edges.may & TO_MASK(between);
     q->blocked |= hit;
     q->active &= ~hit;

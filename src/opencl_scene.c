@@ -77,6 +77,16 @@ static void put_plane(Reals *planes, size_t row, const Plane *plane)
     put(planes, row + PLANE_ERROR, error);
 }
 
+static bool is_flat(const Face *face)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        float at = face->vertices[0][axis];
+        if (face->vertices[1][axis] == at && face->vertices[2][axis] == at && face->vertices[3][axis] == at)
+            return true;
+    }
+    return false;
+}
+
 /* Puts face `index` of the scene at place i. */
 static void pack_face(DeviceScene *packed, const Scene *scene, int index, int i)
 {
@@ -87,6 +97,7 @@ static void pack_face(DeviceScene *packed, const Scene *scene, int index, int i)
     record->material = face->material;
     record->front_only = face->front_only;
     record->index = index;
+    record->flat = is_flat(face);
     put_edges(&packed->edges, (size_t)i * FACE_REALS, face);
     put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
 }
