@@ -236,8 +236,9 @@ Vec3 point_shifted(const Face *face, const Plane *plane, Vec3 n, Vec3 point)
 {
     Vec3 from_vertex = vec3_sub(point, face_vertex(face, 0));
     double height = vec3_dot(n, from_vertex);
-    /* What rounding may hide: in the normal, in the height, in the sum below. */
-    double margin = (plane->error + 5 * ROUNDING) * sum_of_magnitudes(from_vertex) + 2 * ROUNDING * sum_of_magnitudes(point);
+    /* What rounding may hide: in the normal and the height, in the sum below, in the step back to the plane. */
+    double margin = (plane->error + 5 * ROUNDING) * sum_of_magnitudes(from_vertex) +
+                    2 * ROUNDING * sum_of_magnitudes(point) + 12 * ROUNDING * fabs(height);
     margin = margin > 0x1p-100 ? margin : 0x1p-100;
     return vec3_add(point, vec3_scale(margin - height, n));
 }
