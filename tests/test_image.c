@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 static char folder[] = "/tmp/rectray-test-XXXXXX";
-static char path[sizeof folder + 64];
+static char path[sizeof folder + 256]; /* a name has up to 255 bytes */
 static Error error;
 static Image image;
 
