@@ -138,6 +138,16 @@ static bool set_tolerance(Options *o, const char *value)
     return ok;
 }
 
+static bool set_scene_size(Options *o, const char *value)
+{
+    return read_int(value, 1, 1000000, '\0', &o->scene_size);
+}
+
+static bool set_seed(Options *o, const char *value)
+{
+    return read_int(value, 0, 2147483647, '\0', &o->seed);
+}
+
 static bool set_geometry(Options *o, const char *value)
 {
     (void)value;
@@ -165,8 +175,12 @@ static bool set_version(Options *o, const char *value)
 /* --- The table, in the order of --help --- */
 
 const Option option_table[] = {
-    {"output", 'o', "FILE", "render compare", set_output, "the name of a file, or - for standard output",
-     "write the picture there; - is standard output"},
+    {"output", 'o', "FILE", "render compare generate", set_output, "the name of a file, or - for standard output",
+     "write the picture or scene there; - is standard output"},
+    {"size", 0, "N", "generate", set_scene_size, "a whole number from 1 to 1000000",
+     "menger: steps; city: boxes; grid: quads along a side"},
+    {"seed", 0, "N", "generate", set_seed, "a whole number from 0 to 2147483647",
+     "another number, another scene of that kind (default 0)"},
     {"size", 's', "COLUMNSxROWS", "render", set_size, "two whole numbers from 1 to 16384, such as 640x480",
      "pixels of the picture, instead of the scene's"},
     {"grid", 'g', "N", "render", set_grid, "a whole number from 1 to 16",

@@ -6,11 +6,11 @@
 #include "render.h"
 #include "stats.h"
 
-enum { MAX_OPERANDS = 2 };
+enum { MAX_OPERANDS = 16 };
 
 /* What the user asked for. The strings are those of argv. */
 typedef struct Options {
-    const char *operands[MAX_OPERANDS]; /* the scene, or the pictures to compare */
+    const char *operands[MAX_OPERANDS]; /* scenes, the pictures to compare, a kind of scene */
     int operand_count;
     const char *output; /* NULL: not given; "-": stdout */
     const char *rays;   /* NULL or "-": stdin */
@@ -18,8 +18,9 @@ typedef struct Options {
     RenderSettings settings;
     int columns, rows; /* 0: as the scene says, as is grid */
     int grid;
-    int bounces;   /* -1: as the scene says */
-    int tolerance; /* of 255 */
+    int bounces;          /* -1: as the scene says */
+    int tolerance;        /* of 255 */
+    int scene_size, seed; /* of a generated scene; size 0: not given */
     StatsFormat stats;
     ProgressMode progress;
     bool precision_given;

@@ -1,0 +1,36 @@
+/* rectray generate: writes a seeded scene of a given size, as text that goes out while it is made. */
+#include "command.h"
+#include "generate.h"
+
+#include <errno.h>
+#include <string.h>
+
+static bool unwritable(const char *path, Error *error)
+{
+    return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", path, errno ? strerror(errno) : "write error");
+}
+
+static bool write_file(const SceneKind *kind, const Options *options, Error *error)
+{
+    errno = 0;
+    FILE *out = fopen(options->output, "w");
+    if (!out)
+        return unwritable(options->output, error);
+    bool made = scene_generate(kind, out, options->scene_size, (uint64_t)options->seed, error);
+    bool written = !ferror(out);
+    if (fclose(out) != 0 || !written)
+        return made && unwritable(options->output, error);
+    return made;
+}
+
+bool command_generate(const Options *options, Error *error)
+{
+    const SceneKind *kind = scene_kind_find(options->operands[0], error);
+    if (!kind)
+        return false;
+    if (options->scene_size < 1 || options->scene_size > kind->max_size)
+        return error_set(error, ERROR_USAGE, "generate %s needs --size N: %s", kind->name, kind->size_means);
+    if (options->output && strcmp(options->output, "-") != 0)
+        return write_file(kind, options, error);
+    return scene_generate(kind, stdout, options->scene_size, (uint64_t)options->seed, error);
+}
