@@ -22,7 +22,7 @@ static Line line(Vec origin, Vec direction)
     l.moment = vec_cross(origin, direction);
     Lanes largest = vec_largest(direction);
     l.direction_bound = (10 * REAL_ROUNDING) * largest;
-    l.moment_bound = (10 * REAL_ROUNDING) * (vec_largest(l.moment) + vec_largest(origin) * largest);
+    l.moment_bound = (10 * REAL_ROUNDING) * (vec_largest(l.moment) + vec_largest(origin) * largest) + REAL_FLOOR;
     return l;
 }
 
@@ -90,7 +90,7 @@ static PlaneRow plane_row(const Geometry *g, int face)
 {
     global const real *row = g->planes + (size_t)face * PLANE_REALS;
     PlaneRow plane = {(wide)row[0] + (wide)row[3], (wide)row[1] + (wide)row[4], (wide)row[2] + (wide)row[5],
-                      (wide)row[PLANE_ERROR]};
+                      (wide)row[PLANE_ERROR] + (sizeof(wide) > sizeof(float) ? 0 : WIDE_ROUNDING)}; /* of the sums */
     return plane;
 }
 

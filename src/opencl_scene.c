@@ -61,8 +61,8 @@ static void put_edges(Reals *edges, size_t row, const Face *face)
         moment_bound = fmax(moment_bound, sum_of_magnitudes(moment) + cancelled);
         direction_bound = fmax(direction_bound, sum_of_magnitudes(direction));
     }
-    /* Rounded up, since the bounds must hold. */
-    put(edges, row + FACE_MOMENT_BOUND, moment_bound * (1 + 4 * (double)FLT_EPSILON));
+    /* Rounded up, since the bounds must hold, and never so small that a moment which underflows escapes it. */
+    put(edges, row + FACE_MOMENT_BOUND, moment_bound * (1 + 4 * (double)FLT_EPSILON) + 0x1p-100);
     put(edges, row + FACE_DIRECTION_BOUND, direction_bound * (1 + 4 * (double)FLT_EPSILON));
 }
 
