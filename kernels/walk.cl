@@ -39,8 +39,9 @@ static Slab slab(Lanes origin, Lanes direction, Mask active)
     s.origin_low -= 2 * REAL_ROUNDING * fabs(s.origin_low);
     s.origin_high += 2 * REAL_ROUNDING * fabs(s.origin_high);
     s.sign = low > 0 ? 1 : high < 0 ? -1 : 0;
-    s.inverse_low = 1 / low;
-    s.inverse_high = 1 / high;
+    /* Where the signs differ, a 0 at either end is the end of its own sign: 1 / low = -infinity, 1 / high = +infinity. */
+    s.inverse_low = s.sign ? 1 / low : -1 / fabs(low);
+    s.inverse_high = s.sign ? 1 / high : 1 / fabs(high);
     return s;
 }
 
