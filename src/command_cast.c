@@ -1,5 +1,6 @@
 /* rectray cast: rays in, one a line, their nearest hits out as CSV. Rays are read, cast and written in batches, so that
  * any number of them passes through, and a device has enough to do at once. */
+#include "accel.h"
 #include "clock.h"
 #include "command.h"
 #include "opencl.h"
@@ -22,6 +23,7 @@ enum { BATCH = 131072 };
 typedef struct Caster {
     const Options *options;
     const Scene *scene;
+    Accel accel; /* the reference's; the device keeps its own */
     TextLines lines;
     double *world; /* BATCH rays as they were read: origin and direction, six numbers each */
     double *local; /* the same as they are traced: from the scene's centre, the direction scaled */
@@ -110,15 +112,27 @@ static Vec3 vec3_at(const double *numbers)
 static void cast_reference(const Caster *caster, long count, RenderReport *report)
 {
     double start = clock_ms();
+    Tracer tracer = {.scene = caster->scene, .accel = &caster->accel, .report = report};
     for (long i = 0; i < count; i++) {
         const double *local = caster->local + 6 * i;
         Ray ray = {vec3_at(local), vec3_at(local + 3)};
-        caster->hits[i] = reference_nearest(caster->scene, ray, -1, report, NULL);
+        caster->hits[i] = reference_nearest(&tracer, ray, -1);
     }
     report->trace_ms = clock_ms() - start;
     report->lanes = 1;
-    report->accel = ACCEL_NONE;
+    report->accel = caster->accel.kind;
     strcpy(report->device, "reference");
+}
+
+static bool build_accel(Caster *caster, Error *error)
+{
+    const Options *options = caster->options;
+    if (options->backend != BACKEND_REFERENCE)
+        return true;
+    double start = clock_ms();
+    bool built = accel_build(&caster->accel, caster->scene, options->settings.accel, options->settings.threads, error);
+    caster->stats.report.build_ms = clock_ms() - start;
+    return built;
 }
 
 /* Adds a batch's report to the whole's, which keeps the last one's names. */
@@ -239,11 +253,12 @@ bool command_cast(const Options *options, Error *error)
     Caster caster = {.options = options, .scene = &scene};
     caster.stats = stats_begin(&scene, options->backend, options->settings.precision);
     caster.stats.parse_ms = clock_ms() - start;
-    bool done = open_rays(&caster, error) && cast_all(&caster, error);
+    bool done = open_rays(&caster, error) && build_accel(&caster, error) && cast_all(&caster, error);
     caster.stats.total_ms = clock_ms() - start;
     if (done) /* stdout holds the hits */
         done = stats_print(stderr, options->stats, &caster.stats, error);
     close_rays(&caster);
+    accel_free(&caster.accel);
     scene_free(&scene);
     return done;
 }

@@ -7,11 +7,12 @@
 
 #include "geometry.h"
 #include "light.h"
+#include "walk.h"
 
 typedef enum EventKind {
     EVENT_SAMPLE,       /* a primary ray starts */
     EVENT_FACE,         /* a face was tested against the current ray */
-    EVENT_NODE,         /* a node of a tree was visited */
+    EVENT_NODE,         /* a node of a tree was met */
     EVENT_HIT,          /* the nearest face is known */
     EVENT_MISS,         /* no face hit */
     EVENT_LIGHT,        /* a light is looked at from the hit point */
@@ -40,7 +41,7 @@ typedef struct Event {
     union {
         struct { int column, row, i, j; ScreenPoint at; Vec3 c, q, r; } sample; /* C, Q, R */
         struct { int face; FaceTest test; double nearest_t; } face; /* nearest_t: of the faces before, HUGE_VAL if none */
-        struct { int node; int faces; int level; bool visited; } node; /* faces: in a leaf, 0 in an inner node */
+        WalkNode node;
         struct { int face; FaceTest test; Vec3 point, normal, shifted; int step; } hit; /* normal turned to the ray; step: 0 for the first hit */
         struct { Vec3 background, weight_times_background; double weight; } miss;
         struct { int light, side; Vec3 position, to_light; double distance, height; Vec3 l, shadow_origin; } light; /* height: N.(light - v0), over the face's plane; side: its exact sign */

@@ -12,29 +12,71 @@ typedef struct Hit {
     Vec3 shifted; /* P moved off the face along N */
 } Hit;
 
+/* A ray's or a shadow ray's search among the faces. */
+typedef struct Search {
+    const Tracer *tracer;
+    Ray ray;
+    Vec3 to;     /* where a shadow ray ends */
+    int skip;    /* the face that it leaves, -1 for none */
+    Hit *hit;    /* the nearest so far */
+    int blocker; /* the face in a shadow ray's way, -1 for none */
+} Search;
+
 static void tell(const Recorder *recorder, Event event) { recorder->record(recorder->user, &event); }
 
 static Vec3 unit_or_zero(Vec3 a) { return vec3_dot(a, a) > 0 ? vec3_unit(a) : a; }
 
 static Vec3 point_at(Ray ray, double t) { return vec3_add(ray.origin, vec3_scale(t, ray.direction)); }
 
+static void tell_node(const Walk *walk, WalkNode node)
+{
+    const Search *search = walk->user;
+    tell(search->tracer->recorder, (Event){.kind = EVENT_NODE, .as.node = node});
+}
+
+/* Shows `visit` the faces that the ray may meet before t = limit: those that the tree finds, or all in file order. */
+static void search_faces(Search *search, Ray ray, double limit, bool (*visit)(Walk *walk, int face))
+{
+    const Tracer *tracer = search->tracer;
+    Walk walk = {.origin = ray.origin, .direction = ray.direction, .limit = limit, .visit = visit, .user = search};
+    walk.node = tracer->recorder ? tell_node : NULL;
+    if (accel_has_tree(tracer->accel))
+        accel_walk(tracer->accel, &walk);
+    else
+        for (int i = 0; i < tracer->scene->face_count && visit(&walk, i); i++)
+            continue;
+    tracer->report->box_tests += walk.box_tests;
+}
+
+/* Steps 3 to 5 for one face: is it the nearest so far? Of equal ones, the first in the file is. */
+static bool visit_for_nearest(Walk *walk, int face)
+{
+    Search *search = walk->user;
+    const Tracer *tracer = search->tracer;
+    Hit *nearest = search->hit;
+    FaceTest test = {.verdict = FACE_LEFT, .outside_edge = -1};
+    if (face != search->skip) {
+        test = face_test(&tracer->scene->faces[face], &tracer->scene->planes[face], search->ray, walk->limit,
+                         tracer->recorder != NULL);
+        tracer->report->face_tests++;
+    }
+    if (tracer->recorder)
+        tell(tracer->recorder, (Event){.kind = EVENT_FACE, .as.face = {face, test, nearest->test.t}});
+    bool nearer = test.t_in_box < walk->limit || (test.t_in_box == walk->limit && face < nearest->face);
+    if (test.verdict == FACE_INSIDE && nearer) {
+        nearest->face = face;
+        nearest->test = test;
+        walk->limit = test.t_in_box;
+    }
+    return true;
+}
+
 /* Steps 3 to 5: the face with the smallest t > 0; of equal ones, the first in the file. */
-static Hit nearest_hit(const Scene *scene, Ray ray, int skip, RenderReport *report, const Recorder *recorder)
+static Hit nearest_hit(const Tracer *tracer, Ray ray, int skip)
 {
     Hit nearest = {.face = -1, .test = {.t = HUGE_VAL}};
-    for (int i = 0; i < scene->face_count; i++) {
-        FaceTest test = {.verdict = FACE_LEFT, .outside_edge = -1};
-        if (i != skip) {
-            test = face_test(&scene->faces[i], &scene->planes[i], ray, nearest.test.t, recorder != NULL);
-            report->face_tests++;
-        }
-        if (recorder)
-            tell(recorder, (Event){.kind = EVENT_FACE, .as.face = {i, test, nearest.test.t}});
-        if (test.verdict == FACE_INSIDE && test.t < nearest.test.t) {
-            nearest.face = i;
-            nearest.test = test;
-        }
-    }
+    Search search = {.tracer = tracer, .ray = ray, .skip = skip, .hit = &nearest};
+    search_faces(&search, ray, HUGE_VAL, visit_for_nearest);
     return nearest;
 }
 
@@ -47,27 +89,36 @@ static void place_hit(const Scene *scene, Ray ray, Hit *hit)
     hit->shifted = point_shifted(&scene->faces[hit->face], plane, hit->normal, hit->point);
 }
 
-/* Step 6: the first face in the file strictly between the shifted point and the light, -1 if there is none. */
-static int find_blocker(const Scene *scene, const Hit *hit, const Light *light, RenderReport *report, const Recorder *recorder)
+/* Step 6 for one face: is it strictly between the shifted point and the light? */
+static bool visit_for_blocker(Walk *walk, int face)
 {
-    report->rays.shadow++;
-    for (int i = 0; i < scene->face_count; i++) {
-        if (i == hit->face)
-            continue;
-        FaceTest test =
-            face_test_segment(&scene->faces[i], &scene->planes[i], hit->shifted, light->position, recorder != NULL);
-        report->face_tests++;
-        if (recorder)
-            tell(recorder, (Event){.kind = EVENT_OCCLUDER, .as.occluder = {i, test}});
-        if (test.verdict == FACE_INSIDE)
-            return i;
-    }
-    return -1;
+    Search *search = walk->user;
+    const Tracer *tracer = search->tracer;
+    if (face == search->skip)
+        return true;
+    FaceTest test = face_test_segment(&tracer->scene->faces[face], &tracer->scene->planes[face], walk->origin, search->to,
+                                      tracer->recorder != NULL);
+    tracer->report->face_tests++;
+    if (tracer->recorder)
+        tell(tracer->recorder, (Event){.kind = EVENT_OCCLUDER, .as.occluder = {face, test}});
+    if (test.verdict == FACE_INSIDE)
+        search->blocker = face;
+    return test.verdict != FACE_INSIDE;
+}
+
+/* Step 6: the first face met between the shifted point and the light (the first in the file, without a tree), or -1. */
+static int find_blocker(const Tracer *tracer, const Hit *hit, const Light *light)
+{
+    Search search = {.tracer = tracer, .to = light->position, .skip = hit->face, .blocker = -1};
+    tracer->report->rays.shadow++;
+    search_faces(&search, (Ray){hit->shifted, vec3_sub(light->position, hit->shifted)}, 1, visit_for_blocker);
+    return search.blocker;
 }
 
 /* Step 6 for one light: is it in front of the face, and does anything stand between? */
-static LightVerdict look_at_light(const Scene *scene, const Hit *hit, int index, RenderReport *report, const Recorder *recorder)
+static LightVerdict look_at_light(const Tracer *tracer, const Hit *hit, int index)
 {
+    const Scene *scene = tracer->scene;
     const Light *light = &scene->lights[index];
     /* All points of the face see the light on the same side of its plane, so the plane decides: N.L <= 0. */
     int side = plane_side(&scene->faces[hit->face], &scene->planes[hit->face], light->position);
@@ -75,31 +126,32 @@ static LightVerdict look_at_light(const Scene *scene, const Hit *hit, int index,
     bool behind = side <= 0;
     int blocker = -1;
     if (behind)
-        report->skipped_light_behind++;
-    if (recorder) {
+        tracer->report->skipped_light_behind++;
+    if (tracer->recorder) {
         Vec3 to_light = vec3_sub(light->position, hit->point);
         Vec3 from_vertex = vec3_sub(light->position, face_vertex(&scene->faces[hit->face], 0));
-        tell(recorder, (Event){.kind = EVENT_LIGHT,
+        tell(tracer->recorder, (Event){.kind = EVENT_LIGHT,
                                .as.light = {index, side, light->position, to_light, vec3_length(to_light),
                                             side == 0 ? 0 : vec3_dot(hit->normal, from_vertex), unit_or_zero(to_light),
                                             hit->shifted}});
     }
     if (!behind)
-        blocker = find_blocker(scene, hit, light, report, recorder);
+        blocker = find_blocker(tracer, hit, light);
     LightVerdict verdict = behind ? LIGHT_BEHIND_FACE : blocker >= 0 ? LIGHT_BLOCKED : LIGHT_REACHES;
-    if (recorder)
-        tell(recorder, (Event){.kind = EVENT_LIGHT_END, .as.light_end = {index, verdict, blocker}});
+    if (tracer->recorder)
+        tell(tracer->recorder, (Event){.kind = EVENT_LIGHT_END, .as.light_end = {index, verdict, blocker}});
     return verdict;
 }
 
 /* Steps 6 to 8: the illumination of a hit by all the lights; *reaching counts those not in shadow. */
-static Vec3 shade(const Scene *scene, const Hit *hit, Vec3 v, int *reaching, RenderReport *report, const Recorder *recorder)
+static Vec3 shade(const Tracer *tracer, const Hit *hit, Vec3 v, int *reaching)
 {
+    const Scene *scene = tracer->scene;
     const Material *material = &scene->materials[scene->faces[hit->face].material];
     Vec3 colour = {0, 0, 0};
     *reaching = 0;
     for (int i = 0; i < scene->light_count; i++) {
-        bool reaches = look_at_light(scene, hit, i, report, recorder) == LIGHT_REACHES;
+        bool reaches = look_at_light(tracer, hit, i) == LIGHT_REACHES;
         *reaching += reaches;
         if (!reaches && scene->shading.shadow == SHADOW_BLACK)
             continue;
@@ -109,8 +161,8 @@ static Vec3 shade(const Scene *scene, const Hit *hit, Vec3 v, int *reaching, Ren
         if (reaches)
             sum = vec3_add(vec3_add(terms.ambient, terms.diffuse), terms.specular);
         colour = vec3_add(colour, sum);
-        if (recorder)
-            tell(recorder,
+        if (tracer->recorder)
+            tell(tracer->recorder,
                  (Event){.kind = EVENT_TERMS, .as.terms = {i, terms, l, v, sum, material->shininess / 4, !reaches}});
     }
     return colour;
@@ -138,23 +190,24 @@ static bool path_ends(const Scene *scene, const Material *material, int reaching
 }
 
 /* Steps 3 to 10 for one primary ray: the sum of the hits' illuminations, each weighted by the mirrors before it. */
-static Vec3 trace_path(const Scene *scene, Ray ray, RenderReport *report, const Recorder *recorder)
+static Vec3 trace_path(const Tracer *tracer, Ray ray)
 {
+    const Scene *scene = tracer->scene;
     Vec3 total = {0, 0, 0};
     double weight = 1;
     int left = -1; /* the face that the ray leaves */
     for (int bounces = 0;; bounces++) {
-        Hit hit = nearest_hit(scene, ray, left, report, recorder);
+        Hit hit = nearest_hit(tracer, ray, left);
         PathEnd reason = PATH_MISSED;
         if (hit.face < 0) {
             Vec3 seen = vec3_scale(weight, scene->shading.background);
             total = vec3_add(total, seen);
-            if (recorder)
-                tell(recorder, (Event){.kind = EVENT_MISS, .as.miss = {scene->shading.background, seen, weight}});
+            if (tracer->recorder)
+                tell(tracer->recorder, (Event){.kind = EVENT_MISS, .as.miss = {scene->shading.background, seen, weight}});
         } else {
             place_hit(scene, ray, &hit);
-            if (recorder)
-                tell(recorder, (Event){.kind = EVENT_HIT,
+            if (tracer->recorder)
+                tell(tracer->recorder, (Event){.kind = EVENT_HIT,
                                        .as.hit = {hit.face, hit.test, hit.point, hit.normal, hit.shifted, bounces}});
             const Material *material = &scene->materials[scene->faces[hit.face].material];
             Vec3 r = vec3_unit(ray.direction);
@@ -162,53 +215,54 @@ static Vec3 trace_path(const Scene *scene, Ray ray, RenderReport *report, const 
                          ? vec3_negate(r)
                          : unit_or_zero(vec3_sub(scene->camera.position, hit.point));
             int reaching;
-            Vec3 illumination = shade(scene, &hit, v, &reaching, report, recorder);
+            Vec3 illumination = shade(tracer, &hit, v, &reaching);
             Vec3 contribution = vec3_scale(weight, illumination);
             total = vec3_add(total, contribution);
-            if (recorder)
-                tell(recorder, (Event){.kind = EVENT_SHADED,
+            if (tracer->recorder)
+                tell(tracer->recorder, (Event){.kind = EVENT_SHADED,
                                        .as.shaded = {illumination, contribution, total, weight, reaching}});
             if (!path_ends(scene, material, reaching, bounces, &reason)) {
                 ray = reflected_ray(&hit, r);
                 weight *= material->reflection;
                 left = hit.face;
-                report->rays.reflection++;
-                if (recorder)
-                    tell(recorder, (Event){.kind = EVENT_REFLECTED,
+                tracer->report->rays.reflection++;
+                if (tracer->recorder)
+                    tell(tracer->recorder, (Event){.kind = EVENT_REFLECTED,
                                            .as.reflected = {r, ray.direction, ray.origin, material->reflection, weight,
                                                             bounces + 1}});
                 continue;
             }
         }
-        if (recorder)
-            tell(recorder, (Event){.kind = EVENT_PATH_END, .as.path_end = {reason, total, bounces}});
+        if (tracer->recorder)
+            tell(tracer->recorder, (Event){.kind = EVENT_PATH_END, .as.path_end = {reason, total, bounces}});
         return total;
     }
 }
 
-Vec3 reference_sample(const Scene *scene, int column, int row, int i, int j, RenderReport *report, const Recorder *recorder)
+Vec3 reference_sample(const Tracer *tracer, int column, int row, int i, int j)
 {
-    View view = view_of(scene);
+    View view = view_of(tracer->scene);
     Ray ray = {view.eye, view_direction(&view, column, row, i, j)};
-    report->rays.primary++;
-    if (recorder)
-        tell(recorder, (Event){.kind = EVENT_SAMPLE,
+    tracer->report->rays.primary++;
+    if (tracer->recorder)
+        tell(tracer->recorder, (Event){.kind = EVENT_SAMPLE,
                                .as.sample = {column, row, i, j, view_screen_point(&view, column, row, i, j), ray.origin,
                                              vec3_add(ray.origin, ray.direction), ray.direction}});
-    return trace_path(scene, ray, report, recorder);
+    return trace_path(tracer, ray);
 }
 
-Vec3 reference_pixel(const Scene *scene, int column, int row, RenderReport *report, const Recorder *recorder)
+Vec3 reference_pixel(const Tracer *tracer, int column, int row)
 {
+    const Scene *scene = tracer->scene;
     Vec3 sum = {0, 0, 0};
     for (int j = 0; j < scene->grid; j++)
         for (int i = 0; i < scene->grid; i++)
-            sum = vec3_add(sum, reference_sample(scene, column, row, i, j, report, recorder));
+            sum = vec3_add(sum, reference_sample(tracer, column, row, i, j));
     double samples = (double)scene->grid * scene->grid;
     Vec3 average = vec3(sum.x / samples, sum.y / samples, sum.z / samples);
-    if (recorder) {
+    if (tracer->recorder) {
         Vec3 clamped = vec3(fmin(fmax(average.x, 0), 1), fmin(fmax(average.y, 0), 1), fmin(fmax(average.z, 0), 1));
-        tell(recorder, (Event){.kind = EVENT_PIXEL,
+        tell(tracer->recorder, (Event){.kind = EVENT_PIXEL,
                                .as.pixel = {sum, average, clamped, scene->grid * scene->grid,
                                             {colour_to_byte(average.x), colour_to_byte(average.y),
                                              colour_to_byte(average.z)}}});
@@ -216,8 +270,8 @@ Vec3 reference_pixel(const Scene *scene, int column, int row, RenderReport *repo
     return average;
 }
 
-CastHit reference_nearest(const Scene *scene, Ray ray, int skip, RenderReport *report, const Recorder *recorder)
+CastHit reference_nearest(const Tracer *tracer, Ray ray, int skip)
 {
-    Hit hit = nearest_hit(scene, ray, skip, report, recorder);
+    Hit hit = nearest_hit(tracer, ray, skip);
     return (CastHit){hit.face, hit.face < 0 ? 0 : hit.test.t};
 }

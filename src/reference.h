@@ -1,21 +1,30 @@
 /* The reference tracer: section by section the algorithm that docs/algorithm.md teaches, scalar, in double.
- * It does no I/O and calls no operating system: what it sees it tells a Recorder. Floor 4. */
+ * It does no I/O and calls no operating system: what it sees it tells a Recorder. Floor 5. */
 #ifndef RECTRAY_REFERENCE_H
 #define RECTRAY_REFERENCE_H
 
+#include "accel.h"
 #include "geometry.h"
 #include "recorder.h"
 #include "render.h"
 #include "scene.h"
 
-/* The colour of one pixel (RGB, linear, averaged over its samples, not clamped). The recorder may be NULL; counts are
- * added to `report` (not NULL). column in [0, columns), row in [0, rows), row 0 at the top. */
-Vec3 reference_pixel(const Scene *scene, int column, int row, RenderReport *report, const Recorder *recorder);
+/* What the tracer works with. */
+typedef struct Tracer {
+    const Scene *scene;
+    const Accel *accel;       /* NULL: every face is tested, in file order */
+    RenderReport *report;     /* counts are added to it */
+    const Recorder *recorder; /* NULL: silent */
+} Tracer;
+
+/* The colour of one pixel (RGB, linear, averaged over its samples, not clamped). column in [0, columns), row in [0, rows),
+ * row 0 at the top. */
+Vec3 reference_pixel(const Tracer *tracer, int column, int row);
 
 /* The colour of one sample of a pixel: sub-column i and sub-row j of the grid, both in [0, grid). */
-Vec3 reference_sample(const Scene *scene, int column, int row, int i, int j, RenderReport *report, const Recorder *recorder);
+Vec3 reference_sample(const Tracer *tracer, int column, int row, int i, int j);
 
 /* The nearest face hit by a ray in scene coordinates, leaving out the face `skip` (-1: none). */
-CastHit reference_nearest(const Scene *scene, Ray ray, int skip, RenderReport *report, const Recorder *recorder);
+CastHit reference_nearest(const Tracer *tracer, Ray ray, int skip);
 
 #endif

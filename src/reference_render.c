@@ -14,13 +14,13 @@ enum { BAND_ROWS = 32 };
 
 typedef struct Band {
     const Scene *scene;
+    const Accel *accel;
     unsigned char *rgb;
     int first_row, row_count;
     int next_row; /* guarded by the lock, as is the report */
     pthread_mutex_t lock;
     RenderReport *report;
 } Band;
-
 
 static int take_row(Band *band)
 {
@@ -46,11 +46,12 @@ static void render_rows(void *argument)
 {
     Band *band = argument;
     RenderReport counts = {0};
+    Tracer tracer = {.scene = band->scene, .accel = band->accel, .report = &counts};
     int columns = band->scene->screen.columns;
     for (int row; (row = take_row(band)) >= 0;) {
         unsigned char *out = band->rgb + (size_t)row * (size_t)columns * 3;
         for (int column = 0; column < columns; column++, out += 3) {
-            Vec3 colour = reference_pixel(band->scene, column, band->first_row + row, &counts, NULL);
+            Vec3 colour = reference_pixel(&tracer, column, band->first_row + row);
             out[0] = colour_to_byte(colour.x);
             out[1] = colour_to_byte(colour.y);
             out[2] = colour_to_byte(colour.z);
@@ -59,14 +60,9 @@ static void render_rows(void *argument)
     add_counts(band, &counts);
 }
 
-bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error)
+/* Bands from the top, each handed to the sink when its rows are done. */
+static bool render_bands(const Scene *scene, const Accel *accel, BandSink sink, RenderReport *report, Error *error)
 {
-    memset(report, 0, sizeof *report);
-    report->threads = parallel_threads(settings->threads);
-    report->lanes = 1;
-    report->accel = ACCEL_NONE;
-    strcpy(report->device, "reference");
-
     size_t row_bytes = (size_t)scene->screen.columns * 3;
     unsigned char *rgb = malloc(row_bytes * BAND_ROWS);
     if (!rgb)
@@ -74,7 +70,7 @@ bool reference_render(const Scene *scene, const RenderSettings *settings, BandSi
     bool ok = true;
     for (int row = 0; ok && row < scene->screen.rows; row += BAND_ROWS) {
         int rows = scene->screen.rows - row < BAND_ROWS ? scene->screen.rows - row : BAND_ROWS;
-        Band band = {.scene = scene, .rgb = rgb, .first_row = row, .row_count = rows, .report = report};
+        Band band = {.scene = scene, .accel = accel, .rgb = rgb, .first_row = row, .row_count = rows, .report = report};
         double start = clock_ms();
         pthread_mutex_init(&band.lock, NULL);
         parallel_run(report->threads, render_rows, &band);
@@ -83,5 +79,22 @@ bool reference_render(const Scene *scene, const RenderSettings *settings, BandSi
         ok = sink.band(sink.user, row, rows, rgb, report, error);
     }
     free(rgb);
+    return ok;
+}
+
+bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error)
+{
+    memset(report, 0, sizeof *report);
+    report->threads = parallel_threads(settings->threads);
+    report->lanes = 1;
+    strcpy(report->device, "reference");
+
+    Accel accel;
+    double start = clock_ms();
+    bool ok = accel_build(&accel, scene, settings->accel, settings->threads, error);
+    report->build_ms = clock_ms() - start;
+    report->accel = accel.kind;
+    ok = ok && render_bands(scene, &accel, sink, report, error);
+    accel_free(&accel);
     return ok;
 }

@@ -1,4 +1,4 @@
-/* Whole pictures with the reference tracer: rows shared out to threads, bands handed on in order. Floor 5. */
+/* Whole pictures with the reference tracer: rows shared out to threads, bands handed on in order. Floor 6. */
 #ifndef RECTRAY_REFERENCE_RENDER_H
 #define RECTRAY_REFERENCE_RENDER_H
 
