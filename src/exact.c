@@ -1,5 +1,5 @@
-/* Signs without rounding: the exact sign of a 3x3 determinant, by floating-point expansions.
- * The sum is kept as doubles of growing magnitude that do not overlap, so that its sign is the last one's. */
+/* Arithmetic without rounding, by pairs and by expansions. An expansion is kept as doubles of growing magnitude that do not
+ * overlap, so that its sign is the last one's. */
 #include "exact.h"
 
 /* 6 products of three pairs, each product of three doubles being 4 doubles long. */
@@ -10,12 +10,8 @@ typedef struct Expansion {
     int count;
 } Expansion;
 
-typedef struct Pair {
-    double high, low; /* high + low exactly, high the rounded value */
-} Pair;
-
 /* Knuth's TwoSum (Shewchuk 1997, theorem 7). */
-static Pair two_sum(double a, double b)
+Pair exact_sum(double a, double b)
 {
     double sum = a + b;
     double b_seen = sum - a;
@@ -32,7 +28,7 @@ static Pair split(double a)
 }
 
 /* Dekker's product (Shewchuk 1997, theorem 18); fma would do it in one step but is slow where the processor lacks it. */
-static Pair two_product(double a, double b)
+Pair exact_product(double a, double b)
 {
     double product = a * b;
     Pair x = split(a), y = split(b);
@@ -45,7 +41,7 @@ static void expansion_add(Expansion *e, double value)
 {
     int kept = 0;
     for (int i = 0; i < e->count; i++) {
-        Pair s = two_sum(value, e->terms[i]);
+        Pair s = exact_sum(value, e->terms[i]);
         value = s.high;
         if (s.low != 0)
             e->terms[kept++] = s.low;
@@ -59,8 +55,8 @@ static void expansion_add_product(Expansion *e, double a, double b, double c)
 {
     if (a == 0 || b == 0 || c == 0)
         return;
-    Pair ab = two_product(a, b);
-    Pair low = two_product(ab.low, c), high = two_product(ab.high, c);
+    Pair ab = exact_product(a, b);
+    Pair low = exact_product(ab.low, c), high = exact_product(ab.high, c);
     expansion_add(e, low.low);
     expansion_add(e, low.high);
     expansion_add(e, high.low);
@@ -76,13 +72,13 @@ static void expansion_add_pairs(Expansion *e, double sign, Pair a, Pair b, Pair 
 
 ExactVec3 exact_difference(Vec3 a, Vec3 b)
 {
-    Pair x = two_sum(a.x, -b.x), y = two_sum(a.y, -b.y), z = two_sum(a.z, -b.z);
+    Pair x = exact_sum(a.x, -b.x), y = exact_sum(a.y, -b.y), z = exact_sum(a.z, -b.z);
     return (ExactVec3){vec3(x.high, y.high, z.high), vec3(x.low, y.low, z.low)};
 }
 
 ExactVec3 exact_vec3(Vec3 a) { return (ExactVec3){a, vec3(0, 0, 0)}; }
 
-int exact_determinant_sign(ExactVec3 a, ExactVec3 b, ExactVec3 c)
+double exact_determinant(ExactVec3 a, ExactVec3 b, ExactVec3 c)
 {
     Pair ax = {a.high.x, a.low.x}, ay = {a.high.y, a.low.y}, az = {a.high.z, a.low.z};
     Pair bx = {b.high.x, b.low.x}, by = {b.high.y, b.low.y}, bz = {b.high.z, b.low.z};
@@ -94,7 +90,14 @@ int exact_determinant_sign(ExactVec3 a, ExactVec3 b, ExactVec3 c)
     expansion_add_pairs(&e, -1, ay, bx, cz);
     expansion_add_pairs(&e, +1, az, bx, cy);
     expansion_add_pairs(&e, -1, az, by, cx);
-    if (e.count == 0)
-        return 0;
-    return e.terms[e.count - 1] > 0 ? 1 : -1;
+    double value = 0;
+    for (int i = 0; i < e.count; i++)
+        value += e.terms[i];
+    return value;
+}
+
+int exact_determinant_sign(ExactVec3 a, ExactVec3 b, ExactVec3 c)
+{
+    double value = exact_determinant(a, b, c);
+    return (value > 0) - (value < 0);
 }

@@ -56,7 +56,7 @@ Box face_box(const Face *face, const Plane *plane)
         box = box_union(box, (Box){{v[0], v[1], v[2]}, {v[0], v[1], v[2]}});
         Vec3 edge = vec3_sub(face_vertex(face, k), face_vertex(face, 0));
         double height = vec3_dot(plane->normal, edge);
-        warp = fmax(warp, fabs(height) + (plane->error + 4 * ROUNDING) * sum_of_magnitudes(edge));
+        warp = fmax(warp, fabs(height) + 8 * ROUNDING * sum_of_magnitudes(edge));
     }
     /* Across an axis nothing is rounded: t is the same quotient as the box's. */
     for (int axis = 0; axis < 3; axis++)
@@ -69,19 +69,12 @@ Box face_box(const Face *face, const Plane *plane)
     return box;
 }
 
-/* a b - c d with an error of 1.5 ulp of the result, where plain arithmetic may cancel (Kahan's algorithm; Jeannerod, Louvet
- * and Muller, "Further analysis of Kahan's algorithm", 2013, theorem 1.2). */
-static double difference_of_products(double a, double b, double c, double d)
+/* a b - c d to twice the precision of a double. */
+static Pair difference_of_products(double a, double b, double c, double d)
 {
-    double cd = c * d;
-    double error = fma(-c, d, cd);
-    return fma(a, b, -cd) + error;
-}
-
-static Vec3 cross_accurate(Vec3 a, Vec3 b)
-{
-    return vec3(difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
-                difference_of_products(a.x, b.y, a.y, b.x));
+    Pair ab = exact_product(a, b), cd = exact_product(c, d);
+    Pair difference = exact_sum(ab.high, -cd.high);
+    return exact_sum(difference.high, difference.low + (ab.low - cd.low));
 }
 
 static ExactVec3 face_diagonal(const Face *face, int from, int to)
@@ -89,45 +82,80 @@ static ExactVec3 face_diagonal(const Face *face, int from, int to)
     return exact_difference(face_vertex(face, to), face_vertex(face, from));
 }
 
+/* The cross product of the diagonals, with an error of 16 u^2 |a| |b| for u = 2^-53. Their low parts are zero unless the
+ * exponents of the vertices lie far apart, for a difference of floats mostly fits a double. */
+static ExactVec3 diagonals_cross(ExactVec3 a, ExactVec3 b)
+{
+    Pair x = difference_of_products(a.high.y, b.high.z, a.high.z, b.high.y);
+    Pair y = difference_of_products(a.high.z, b.high.x, a.high.x, b.high.z);
+    Pair z = difference_of_products(a.high.x, b.high.y, a.high.y, b.high.x);
+    Vec3 low = vec3_add(vec3_cross(a.low, b.high), vec3_cross(a.high, b.low));
+    return (ExactVec3){vec3(x.high, y.high, z.high), vec3(x.low + low.x, y.low + low.y, z.low + low.z)};
+}
+
+/* What rounding took from the quotient of high + low: the remainder of high / divisor is exact with fma. */
+static double quotient_low(double quotient, double high, double low, double divisor)
+{
+    return (fma(-quotient, divisor, high) + low) / divisor;
+}
+
 Plane face_plane(const Face *face)
 {
-    ExactVec3 a = face_diagonal(face, 0, 2), b = face_diagonal(face, 1, 3);
-    Vec3 n = cross_accurate(a.high, b.high);
-    double length = vec3_length(n);
+    ExactVec3 a = face_diagonal(face, 0, 2), b = face_diagonal(face, 1, 3), m = diagonals_cross(a, b);
+    Plane plane = {.length = vec3_length(m.high)};
+    double length = plane.length;
     if (!(length > 0))
-        return (Plane){{0, 0, 0}, 0, 0};
-    Plane plane = {.normal = vec3(n.x / length, n.y / length, n.z / length), .error = 8 * ROUNDING};
-    /* The diagonals of floats are exact in double unless their exponents lie far apart. */
-    if (sum_of_magnitudes(a.low) + sum_of_magnitudes(b.low) > 0)
-        plane.error += 4 * ROUNDING * vec3_length(a.high) * vec3_length(b.high) / length;
-    plane.d = -vec3_dot(plane.normal, face_vertex(face, 0));
+        return plane;
+    Vec3 n = vec3(m.high.x / length, m.high.y / length, m.high.z / length);
+    plane.normal = n;
+    plane.normal_low = vec3(quotient_low(n.x, m.high.x, m.low.x, length), quotient_low(n.y, m.high.y, m.low.y, length),
+                            quotient_low(n.z, m.high.z, m.low.z, length));
+    plane.d = -vec3_dot(n, face_vertex(face, 0));
+    plane.error = 16 * ROUNDING * ROUNDING * (1 + vec3_length(a.high) * vec3_length(b.high) / length);
     return plane;
 }
 
-/* `value`, or where its sign is not the exact one, the smallest number whose sign is. */
-static double with_sign(double value, int sign)
+/* N.x as if computed in twice the precision (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005, algorithm 5.3),
+ * and exactly where even that leaves less than 24 bits. The sign is always exact. */
+static Pair normal_dot_accurate(const Face *face, const Plane *plane, ExactVec3 x)
 {
-    if (sign == 0)
-        return 0;
-    if ((value > 0) - (value < 0) == sign)
+    Vec3 n = plane->normal;
+    Pair xs = exact_product(n.x, x.high.x), ys = exact_product(n.y, x.high.y), zs = exact_product(n.z, x.high.z);
+    Pair xy = exact_sum(xs.high, ys.high), xyz = exact_sum(xy.high, zs.high);
+    double low = xy.low + xyz.low + (xs.low + ys.low + zs.low) + (vec3_dot(plane->normal_low, x.high) + vec3_dot(n, x.low));
+    Pair value = exact_sum(xyz.high, low);
+    double bound = (plane->error + 64 * ROUNDING * ROUNDING) * sum_of_magnitudes(x.high);
+    if (fabs(value.high) > 0x1p24 * bound)
         return value;
-    return sign * DBL_MIN;
+    double exact = exact_determinant(x, face_diagonal(face, 0, 2), face_diagonal(face, 1, 3));
+    return (Pair){exact / plane->length, 0};
 }
 
-/* N.x, its sign exact. */
+/* N.x in plain arithmetic where that tells the sign. */
 static double normal_dot(const Face *face, const Plane *plane, ExactVec3 x)
 {
     double value = vec3_dot(plane->normal, x.high);
-    double bound = (plane->error + 4 * ROUNDING) * sum_of_magnitudes(x.high);
-    if (fabs(value) > bound)
+    if (fabs(value) > (plane->error + 6 * ROUNDING) * sum_of_magnitudes(x.high))
         return value;
-    return with_sign(value, exact_determinant_sign(x, face_diagonal(face, 0, 2), face_diagonal(face, 1, 3)));
+    return normal_dot_accurate(face, plane, x).high;
 }
 
-/* N.(point - v0) = N.point + D without the cancellation in D, its sign exact. */
+static ExactVec3 from_vertex(const Face *face, Vec3 point) { return exact_difference(point, face_vertex(face, 0)); }
+
+/* N.(point - v0) = N.point + D without the cancellation in D. */
 static double plane_distance(const Face *face, const Plane *plane, Vec3 point)
 {
-    return normal_dot(face, plane, exact_difference(point, face_vertex(face, 0)));
+    return normal_dot(face, plane, from_vertex(face, point));
+}
+
+/* t of the plane hit with an error of little more than half an ulp, unless the ray grazes the plane at less than 2^-40. */
+static double accurate_t(const Face *face, const Plane *plane, Ray ray)
+{
+    Pair distance = normal_dot_accurate(face, plane, from_vertex(face, ray.origin));
+    Pair approach = normal_dot_accurate(face, plane, exact_vec3(ray.direction));
+    double q = distance.high / approach.high;
+    double rest = fma(-q, approach.high, distance.high) + (distance.low - q * approach.low);
+    return -(isfinite(q) ? q + rest / approach.high : q);
 }
 
 int plane_side(const Face *face, const Plane *plane, Vec3 point)
@@ -147,7 +175,7 @@ static double edge_determinant(Vec3 origin, ExactVec3 r, Vec3 a, Vec3 b)
                        fabs(d.z) * (fabs(xy) + fabs(yx));
     if (fabs(value) > 10 * ROUNDING * magnitude)
         return value;
-    return with_sign(value, exact_determinant_sign(r, exact_difference(a, origin), exact_difference(b, origin)));
+    return exact_determinant(r, exact_difference(a, origin), exact_difference(b, origin));
 }
 
 /* The inside test: fills the edges of the test and returns whether every sign says the same side. */
@@ -195,6 +223,8 @@ FaceTest face_test(const Face *face, const Plane *plane, Ray ray, double limit, 
     /* A quotient that underflows to 0 is still on the side that its signs say. */
     bool ahead = test.n_dot_o_plus_d != 0 && (test.n_dot_o_plus_d < 0) == (test.n_dot_r > 0);
     bool inside = (complete || ahead) && inside_edges(&test, face, ray.origin, r, complete);
+    if (inside)
+        test.t = accurate_t(face, plane, ray);
     if (!ahead)
         test.verdict = FACE_BEHIND;
     else if (face->front_only && test.n_dot_r > 0)
@@ -234,11 +264,11 @@ FaceTest face_test_segment(const Face *face, const Plane *plane, Vec3 from, Vec3
 
 Vec3 point_shifted(const Face *face, const Plane *plane, Vec3 n, Vec3 point)
 {
-    Vec3 from_vertex = vec3_sub(point, face_vertex(face, 0));
-    double height = vec3_dot(n, from_vertex);
-    /* What rounding may hide: in the normal and the height, in the sum below, in the step back to the plane. */
-    double margin = (plane->error + 5 * ROUNDING) * sum_of_magnitudes(from_vertex) +
-                    2 * ROUNDING * sum_of_magnitudes(point) + 12 * ROUNDING * fabs(height);
+    double height = normal_dot_accurate(face, plane, from_vertex(face, point)).high;
+    if (vec3_dot(n, plane->normal) < 0)
+        height = -height;
+    /* What rounding may take away: half an ulp of each coordinate of the sum, a few of the step. */
+    double margin = 2 * ROUNDING * sum_of_magnitudes(point) + 12 * ROUNDING * fabs(height);
     margin = margin > 0x1p-100 ? margin : 0x1p-100;
     return vec3_add(point, vec3_scale(margin - height, n));
 }

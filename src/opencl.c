@@ -78,7 +78,8 @@ static bool upload(OpenclSession *session, const Scene *scene, const Tree *tree,
 {
     double start = clock_ms();
     DeviceScene packed;
-    bool ok = device_scene_pack(&packed, scene, tree->bvh.order, session->precision, error);
+    Precision wide = session->wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT;
+    bool ok = device_scene_pack(&packed, scene, tree->bvh.order, session->precision, wide, error);
     size_t faces = (size_t)(scene->face_count > 0 ? scene->face_count : 1);
     size_t children = (size_t)tree->wide.node_count * (size_t)tree->wide.width;
     const cl_mem_flags read = CL_MEM_READ_ONLY;

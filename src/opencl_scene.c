@@ -68,13 +68,12 @@ static void put_edges(Reals *edges, size_t row, const Face *face)
 
 static void put_plane(Reals *planes, size_t row, const Plane *plane)
 {
-    Vec3 low = low_part(planes, plane->normal);
+    bool is_double = planes->precision == PRECISION_DOUBLE;
     put_vec3(planes, row + PLANE_NORMAL, plane->normal);
-    put_vec3(planes, row + PLANE_NORMAL_LOW, low);
-    double error = plane->error;
-    if (planes->precision == PRECISION_FLOAT) /* two floats hold 48 bits; then round up */
-        error = (error + 0x1p-48) * (1 + 4 * (double)FLT_EPSILON);
-    put(planes, row + PLANE_ERROR, error);
+    put_vec3(planes, row + PLANE_NORMAL_LOW, is_double ? plane->normal_low : low_part(planes, plane->normal));
+    /* Two floats hold 48 bits; then rounded up, since it is a bound. */
+    put(planes, row + PLANE_ERROR, is_double ? plane->error : (plane->error + 0x1p-47) * (1 + 4 * (double)FLT_EPSILON));
+    put(planes, row + PLANE_LENGTH, plane->length);
 }
 
 static bool is_flat(const Face *face)
@@ -132,7 +131,8 @@ static void pack_view(Reals *reals, const Scene *scene)
     put_vec3(reals, VIEW_BACKGROUND, scene->shading.background);
 }
 
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Error *error)
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Precision wide,
+                       Error *error)
 {
     *packed = (DeviceScene){0};
     size_t faces = (size_t)scene->face_count;
@@ -140,7 +140,7 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order
     if (!packed->faces)
         return error_memory(error, "the faces for the device");
     if (!reals_allocate(&packed->edges, faces, FACE_REALS, precision, error) ||
-        !reals_allocate(&packed->planes, faces, PLANE_REALS, precision, error) ||
+        !reals_allocate(&packed->planes, faces, PLANE_REALS, wide, error) ||
         !reals_allocate(&packed->materials, (size_t)scene->material_count, MATERIAL_REALS, precision, error) ||
         !reals_allocate(&packed->lights, (size_t)scene->light_count, LIGHT_REALS, precision, error) ||
         !reals_allocate(&packed->view, 1, VIEW_REALS, precision, error))

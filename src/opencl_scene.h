@@ -21,8 +21,10 @@ typedef struct DeviceScene {
     Reals edges, planes, materials, lights, view;
 } DeviceScene;
 
-/* Packs the scene, its faces in the given order (NULL: as they are). device_scene_free frees the copy, also after a failure. */
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Error *error);
+/* Packs the scene, its faces in the given order (NULL: as they are), planes in the precision `wide`, the other rows in
+ * `precision`. device_scene_free frees the copy, also after a failure. */
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Precision wide,
+                       Error *error);
 void device_scene_free(DeviceScene *packed);
 
 size_t reals_bytes(const Reals *reals);

@@ -60,8 +60,10 @@ typedef struct Face {
 /* The plane A x + B y + C z + D = 0 of a face, with the unit normal N = (A, B, C); see face_plane. */
 typedef struct Plane {
     Vec3 normal;
+    Vec3 normal_low; /* what rounding took from the normal: N + normal_low has twice its precision */
     double d;
-    double error; /* no component of the exact unit normal is farther than this from N's */
+    double error;    /* no component of the exact normal is farther than this from N + normal_low */
+    double length;   /* of the cross product of the diagonals: det(x, v2 - v0, v3 - v1) = length (N + normal_low).x */
 } Plane;
 
 typedef enum ShadowRule { SHADOW_BLACK, SHADOW_AMBIENT } ShadowRule;
