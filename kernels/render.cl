@@ -24,7 +24,7 @@ static Vec trace_path(const Geometry *g, const Shading *s, Vec origin, Vec direc
     Lanes weight = (Lanes)1;
     Mask left = (Mask)-1;
     for (int bounces = 0;; bounces++) {
-        Nearest nearest = find_nearest(g, s->tree, origin, direction, active, left, counters);
+        Nearest nearest = find_nearest(g, s->tree, origin, direction, active, left, bounces == 0, counters);
         Mask missed = active & IS(nearest.face < (Mask)0);
         total = vec_select(missed, vec_add(total, vec_scale(weight, background)), total);
         active &= ~missed;
@@ -67,34 +67,40 @@ static void add_counters(volatile global uint *totals, const Counters *counters)
             atomic_add(stripe + kind, counters->kinds[kind]);
 }
 
-/* floor(255 c + 0.5) of the clamped colour, as in light.c. */
-static uchar colour_to_byte(real c)
+/* floor(255 c + 0.5) of the clamped colours, as in light.c. */
+static void colour_to_bytes(Lanes c, int *bytes)
 {
-    c = c > 0 ? c : 0;
-    c = c < 1 ? c : 1;
-    return (uchar)floor(255 * c + (real)0.5);
+    c = c > (Lanes)0 ? c : (Lanes)0;
+    c = c < (Lanes)1 ? c : (Lanes)1;
+    c = floor((real)255 * c + (real)0.5);
+#if LANES == 1
+    bytes[0] = (int)c;
+#else
+    PASTE(vstore, LANES)(PASTE(convert_int, LANES)(c), 0, bytes);
+#endif
 }
 
 static void store_tile(global uchar *rgb, const Parameters *p, int first_column, int first_row, Vec colour)
 {
-    real red[LANES], green[LANES], blue[LANES];
-    STORE(colour.x, red);
-    STORE(colour.y, green);
-    STORE(colour.z, blue);
-    for (int i = 0; i < LANES; i++) {
-        int column = first_column + i % TILE_COLUMNS, row = first_row + i / TILE_COLUMNS;
-        if (column >= p->columns || row >= p->band_rows)
-            continue;
-        global uchar *out = rgb + ((size_t)row * (size_t)p->columns + (size_t)column) * 3;
-        out[0] = colour_to_byte(red[i]);
-        out[1] = colour_to_byte(green[i]);
-        out[2] = colour_to_byte(blue[i]);
+    int red[LANES], green[LANES], blue[LANES];
+    colour_to_bytes(colour.x, red);
+    colour_to_bytes(colour.y, green);
+    colour_to_bytes(colour.z, blue);
+    int columns = min(TILE_COLUMNS, p->columns - first_column), rows = min(TILE_ROWS, p->band_rows - first_row);
+    for (int row = 0; row < rows; row++) {
+        global uchar *out = rgb + ((size_t)(first_row + row) * (size_t)p->columns + (size_t)first_column) * 3;
+        for (int column = 0; column < columns; column++) {
+            int lane = row * TILE_COLUMNS + column;
+            out[3 * column] = (uchar)red[lane];
+            out[3 * column + 1] = (uchar)green[lane];
+            out[3 * column + 2] = (uchar)blue[lane];
+        }
     }
 }
 
 /* rgb: band_rows * columns * 3 bytes. One work-item per tile, tiles row by row; surplus work-items do nothing. */
 kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
-                   global const wide *planes, global const real *materials, global const real *lights,
+                   global const real *planes, global const real *materials, global const real *lights,
                    global const real *view, global uchar *rgb, volatile global uint *totals, global const float *boxes, global const int *children)
 {
     Parameters p = *parameters;
@@ -125,7 +131,7 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
 
 /* rays: ray_count x (origin, direction); hits_face, hits_t: one per ray, -1 and 0 for a miss. LANES rays per work-item. */
 kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
-                 global const wide *planes, global const real *rays, global int *hits_face, global wide *hits_t,
+                 global const real *planes, global const real *rays, global int *hits_face, global wide *hits_t,
                  volatile global uint *totals, global const float *boxes, global const int *children)
 {
     Geometry g = {faces, edges, planes, parameters->face_count};
@@ -140,7 +146,7 @@ kernel void cast(constant Parameters *parameters, global const FaceRecord *faces
             ray[k][i] = rays[6 * (size_t)(first + min(i, count - 1)) + k];
     Nearest nearest = find_nearest(&g, &tree, vec(LOAD(ray[0]), LOAD(ray[1]), LOAD(ray[2])),
                                    vec(LOAD(ray[3]), LOAD(ray[4]), LOAD(ray[5])), IS(lane_numbers() < (Mask)count),
-                                   (Mask)-1, &counters);
+                                   (Mask)-1, false, &counters);
     MaskElement face[LANES];
     wide t[LANES];
     STORE(nearest.face, face);

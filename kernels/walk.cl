@@ -26,10 +26,10 @@ typedef struct Bundle {
 #define REACH_ALL ((real)1e30f)
 #define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING)) /* more than the rounding of what follows could take away */
 
-static real lowest(Lanes x, Mask active) { return lanes_lowest(active ? x : (Lanes)REACH_ALL); }
-static real highest(Lanes x, Mask active) { return -lowest(-x, active); }
+INLINE real lowest(Lanes x, Mask active) { return lanes_lowest(active ? x : (Lanes)REACH_ALL); }
+INLINE real highest(Lanes x, Mask active) { return -lowest(-x, active); }
 
-static Slab slab(Lanes origin, Lanes direction, Mask active)
+INLINE Slab slab(Lanes origin, Lanes direction, Mask active)
 {
     Slab s;
     real low = lowest(direction, active), high = highest(direction, active);
@@ -39,13 +39,13 @@ static Slab slab(Lanes origin, Lanes direction, Mask active)
     s.origin_low -= 2 * REAL_ROUNDING * fabs(s.origin_low);
     s.origin_high += 2 * REAL_ROUNDING * fabs(s.origin_high);
     s.sign = low > 0 ? 1 : high < 0 ? -1 : 0;
-    /* Where the signs differ, a 0 at either end is the end of its own sign: 1 / low = -infinity, 1 / high = +infinity. */
-    s.inverse_low = s.sign ? 1 / low : -1 / fabs(low);
-    s.inverse_high = s.sign ? 1 / high : 1 / fabs(high);
+    /* Directions that differ in sign, or are 0: those below 0 come from the high plane, those above from the low one. */
+    s.inverse_low = s.sign != 0 || low < 0 ? 1 / low : -(real)INFINITY;
+    s.inverse_high = s.sign != 0 || high > 0 ? 1 / high : (real)INFINITY;
     return s;
 }
 
-static Bundle bundle(const Line *l, Mask active)
+INLINE Bundle bundle(const Line *l, Mask active)
 {
     Bundle b;
     b.scale = vec_largest(l->direction);
@@ -58,7 +58,7 @@ static Bundle bundle(const Line *l, Mask active)
 }
 
 /* Narrows [enter, leave] to where the bundle may be between the two planes. 0 * infinity, which is NaN, narrows nothing. */
-static void cross_slab(Slab s, Lanes low, Lanes high, Lanes *enter, Lanes *leave)
+INLINE void cross_slab(Slab s, Lanes low, Lanes high, Lanes *enter, Lanes *leave)
 {
     low -= s.origin_high;
     high -= s.origin_low;
@@ -83,7 +83,7 @@ typedef struct Stack {
     int count;
 } Stack;
 
-static void stack_insert(Stack *stack, int floor, int node, real enter)
+INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
 {
     int i = stack->count++;
     for (; i > floor && stack->enter[i - 1] < enter; i--) {
@@ -95,7 +95,7 @@ static void stack_insert(Stack *stack, int floor, int node, real enter)
 }
 
 /* Puts the children that the bundle may meet on the stack. */
-static void push_children(const Tree *tree, const Bundle *b, int node, Stack *stack)
+INLINE void push_children(const Tree *tree, const Bundle *b, int node, Stack *stack)
 {
     global const float *boxes = tree->boxes + (size_t)node * (6 * NODE_WIDTH);
     global const int *children = tree->children + (size_t)node * NODE_WIDTH;
@@ -119,7 +119,7 @@ static void push_children(const Tree *tree, const Bundle *b, int node, Stack *st
 }
 
 /* The next leaf that the bundle meets, nearest first: its faces are first .. first + count - 1. False: there is none. */
-static bool next_leaf(const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *counters)
+INLINE bool next_leaf(const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *counters)
 {
     while (stack->count > 0) {
         int node = stack->node[--stack->count];
@@ -137,13 +137,13 @@ static bool next_leaf(const Tree *tree, const Bundle *b, Stack *stack, int *firs
 }
 
 /* How far the bundle still has to look: to the farthest of its rays' nearest hits. */
-static real reach_of(const NearestQuery *q, const Bundle *b)
+INLINE real reach_of(const NearestQuery *q, const Bundle *b)
 {
     Lanes t = TO_REAL(q->nearest.t < (Wide)REACH_ALL ? q->nearest.t : (Wide)REACH_ALL) * b->scale;
     return GROWN(highest(t < (Lanes)REACH_ALL ? t : (Lanes)REACH_ALL, q->active));
 }
 
-static void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, Counters *counters)
+INLINE void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, Counters *counters)
 {
     Bundle b = bundle(&q->line, q->active);
     Stack stack;
@@ -161,7 +161,7 @@ static void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, C
     }
 }
 
-static void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, Counters *counters)
+INLINE void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, Counters *counters)
 {
     Bundle b = bundle(&q->line, q->active);
     b.reach = GROWN(highest(b.scale, q->active));
@@ -178,7 +178,7 @@ static void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, C
 }
 
 /* The active lanes whose direction is like that of the first active one. */
-static Mask like_first(Vec direction, Mask active)
+INLINE Mask like_first(Vec direction, Mask active)
 {
     Vec d = vec_scale(1 / vec_largest(direction), direction);
     real x[LANES], y[LANES], z[LANES];
@@ -193,14 +193,14 @@ static Mask like_first(Vec direction, Mask active)
 
 #else
 
-static void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, Counters *counters)
+INLINE void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, Counters *counters)
 {
     for (int i = 0; i < g->face_count; i++)
         ask_nearest(g, q, i);
     counters->kinds[COUNT_FACE_TESTS] += mask_count(q->active) * (uint)g->face_count;
 }
 
-static void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, Counters *counters)
+INLINE void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, Counters *counters)
 {
     for (int i = 0; i < g->face_count; i++) {
         counters->kinds[COUNT_FACE_TESTS] += mask_count(q->active);
@@ -209,13 +209,14 @@ static void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, C
     }
 }
 
-static Mask like_first(Vec direction, Mask active) { return active; }
+INLINE Mask like_first(Vec direction, Mask active) { return active; }
 
 #endif
 
-/* The nearest face in front of each active lane, leaving out the face that it leaves; of equal t the first in the file. */
+/* The nearest face in front of each active lane, leaving out the face that it leaves; of equal t the first in the file.
+ * `alike` promises that the directions differ little. */
 static Nearest find_nearest(const Geometry *g, const Tree *tree, Vec origin, Vec direction, Mask active, Mask left,
-                            Counters *counters)
+                            bool alike, Counters *counters)
 {
     NearestQuery q;
     q.line = line(origin, direction);
@@ -226,7 +227,7 @@ static Nearest find_nearest(const Geometry *g, const Tree *tree, Vec origin, Vec
     q.nearest.face = q.nearest.index = (Mask)-1;
     q.nearest.with_normal = (Mask)0;
     for (Mask rest = active; ANY(rest); rest &= ~q.active) {
-        q.active = like_first(direction, rest);
+        q.active = alike ? rest : like_first(direction, rest);
         walk_nearest(g, tree, &q, counters);
     }
     return q.nearest;
