@@ -70,18 +70,9 @@ static int expansion_add_product(wide *terms, int count, wide sign, Pair a, Pair
     return count;
 }
 
-/* The exact sign of det(a, b, c) = a . (b x c): -1, 0 or 1. */
-NOINLINE int determinant_sign(const Exact *a, const Exact *b, const Exact *c)
+/* det(a, b, c) = a . (b x c) to within an ulp or two, its sign exact. */
+NOINLINE wide exact_determinant(const Exact *a, const Exact *b, const Exact *c)
 {
-    wide yz = b->y.high * c->z.high, zy = b->z.high * c->y.high;
-    wide zx = b->z.high * c->x.high, xz = b->x.high * c->z.high;
-    wide xy = b->x.high * c->y.high, yx = b->y.high * c->x.high;
-    wide value = a->x.high * (yz - zy) + a->y.high * (zx - xz) + a->z.high * (xy - yx);
-    wide magnitude = fabs(a->x.high) * (fabs(yz) + fabs(zy)) + fabs(a->y.high) * (fabs(zx) + fabs(xz)) +
-                     fabs(a->z.high) * (fabs(xy) + fabs(yx));
-    if (fabs(value) > 10 * WIDE_ROUNDING * magnitude)
-        return value > 0 ? 1 : -1;
-
     wide terms[EXPANSION_TERMS];
     int count = 0;
     count = expansion_add_product(terms, count, 1, a->x, b->y, c->z);
@@ -90,7 +81,24 @@ NOINLINE int determinant_sign(const Exact *a, const Exact *b, const Exact *c)
     count = expansion_add_product(terms, count, -1, a->y, b->x, c->z);
     count = expansion_add_product(terms, count, 1, a->z, b->x, c->y);
     count = expansion_add_product(terms, count, -1, a->z, b->y, c->x);
-    return count == 0 ? 0 : terms[count - 1] > 0 ? 1 : -1;
+    wide value = 0;
+    for (int i = 0; i < count; i++)
+        value += terms[i];
+    return value;
+}
+
+/* Its sign alone: -1, 0 or 1. */
+NOINLINE int determinant_sign(const Exact *a, const Exact *b, const Exact *c)
+{
+    wide yz = b->y.high * c->z.high, zy = b->z.high * c->y.high;
+    wide zx = b->z.high * c->x.high, xz = b->x.high * c->z.high;
+    wide xy = b->x.high * c->y.high, yx = b->y.high * c->x.high;
+    wide value = a->x.high * (yz - zy) + a->y.high * (zx - xz) + a->z.high * (xy - yx);
+    wide magnitude = fabs(a->x.high) * (fabs(yz) + fabs(zy)) + fabs(a->y.high) * (fabs(zx) + fabs(xz)) +
+                     fabs(a->z.high) * (fabs(xy) + fabs(yx));
+    if (fabs(value) <= 10 * WIDE_ROUNDING * magnitude)
+        value = exact_determinant(a, b, c);
+    return (value > 0) - (value < 0);
 }
 
 static void face_corner(global const FaceRecord *face, int k, wide *corner)
@@ -117,20 +125,12 @@ NOINLINE int inside_sign(global const FaceRecord *face, const wide *origin, cons
     return lowest >= 0 && highest > 0 ? 1 : highest <= 0 && lowest < 0 ? -1 : 0;
 }
 
-/* The side of the face's plane on which a point lies, by the normal of the diagonals. */
-NOINLINE int side_sign(global const FaceRecord *face, const wide *point)
+/* M.x for the cross product M of the face's diagonals, the face's normal but for its length. */
+NOINLINE wide cross_dot(global const FaceRecord *face, const Exact *x)
 {
     wide v[4][3];
     for (int k = 0; k < 4; k++)
         face_corner(face, k, v[k]);
-    Exact x = exact_difference(point, v[0]), a = exact_difference(v[2], v[0]), b = exact_difference(v[3], v[1]);
-    return determinant_sign(&x, &a, &b);
-}
-
-/* `value`, or where its sign is not the exact one, the smallest number whose sign is. */
-static wide with_sign(wide value, int sign)
-{
-    if (sign == 0)
-        return 0;
-    return (value > 0) - (value < 0) == sign ? value : sign * WIDE_MIN;
+    Exact a = exact_difference(v[2], v[0]), b = exact_difference(v[3], v[1]);
+    return exact_determinant(x, &a, &b);
 }

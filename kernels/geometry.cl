@@ -4,7 +4,7 @@
 typedef struct Geometry {
     global const FaceRecord *faces;
     global const real *edges;  /* face_count rows of FACE_REALS */
-    global const real *planes; /* face_count rows of PLANE_REALS */
+    global const wide *planes; /* face_count rows of PLANE_REALS */
     int face_count;
 } Geometry;
 
@@ -82,58 +82,174 @@ NOINLINE void settle_edges(EdgeTest *test, global const FaceRecord *face, const 
     test->with_normal = LOAD(with_normal);
 }
 
+/* --- Planes, in wide --- */
+
 typedef struct PlaneRow {
-    wide x, y, z, error;
+    wide x, y, z; /* N but for what rounding took */
+    wide low_x, low_y, low_z;
+    wide error, length;
 } PlaneRow;
 
 INLINE PlaneRow plane_row(const Geometry *g, int face)
 {
-    global const real *row = g->planes + (size_t)face * PLANE_REALS;
-    PlaneRow plane = {(wide)row[0] + (wide)row[3], (wide)row[1] + (wide)row[4], (wide)row[2] + (wide)row[5],
-                      (wide)row[PLANE_ERROR] + (sizeof(wide) > sizeof(float) ? 0 : WIDE_ROUNDING)}; /* of the sums */
+    global const wide *row = g->planes + (size_t)face * PLANE_REALS;
+    PlaneRow plane = {row[0], row[1], row[2], row[3], row[4], row[5], row[PLANE_ERROR], row[PLANE_LENGTH]};
     return plane;
 }
 
-/* The exact signs for the values that lie within their bound. */
-NOINLINE Wide settle_distance(global const FaceRecord *record, Wide value, Wide bound, WideVec point)
+static Wide wide_magnitudes(WideVec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+
+static WideVec from_vertex(global const FaceRecord *face, WideVec point)
 {
-    wide v[LANES], p[3][LANES], b[LANES];
+    WideVec d = {point.x - (wide)face->vertices[0], point.y - (wide)face->vertices[1], point.z - (wide)face->vertices[2]};
+    return d;
+}
+
+/* N.x in plain arithmetic. Its error is at most PLAIN_ERROR times the sum of x's magnitudes. */
+static Wide normal_dot(const PlaneRow *plane, WideVec x) { return plane->x * x.x + plane->y * x.y + plane->z * x.z; }
+
+#define PLAIN_ERROR(plane) ((plane).error + 6 * WIDE_ROUNDING)
+
+typedef struct WidePair {
+    Wide high, low;
+} WidePair;
+
+static WidePair wide_sum(Wide a, Wide b)
+{
+    WidePair s;
+    s.high = a + b;
+    Wide b_seen = s.high - a;
+    Wide a_seen = s.high - b_seen;
+    s.low = (a - a_seen) + (b - b_seen);
+    return s;
+}
+
+static WidePair wide_product(Wide a, Wide b)
+{
+    WidePair p;
+    p.high = a * b;
+    p.low = fma(a, b, -p.high);
+    return p;
+}
+
+/* A vector of which rounding left `high` and took `low`. */
+typedef struct WidePairs {
+    WideVec high, low;
+} WidePairs;
+
+static WidePairs from_vertex_exactly(global const FaceRecord *face, WideVec point)
+{
+    WidePair x = wide_sum(point.x, (Wide)(-(wide)face->vertices[0]));
+    WidePair y = wide_sum(point.y, (Wide)(-(wide)face->vertices[1]));
+    WidePair z = wide_sum(point.z, (Wide)(-(wide)face->vertices[2]));
+    WidePairs d = {{x.high, y.high, z.high}, {x.low, y.low, z.low}};
+    return d;
+}
+
+/* The lanes in doubt get M.x / |M| from exact arithmetic. */
+NOINLINE Wide settle_dot(Wide value, global const FaceRecord *face, wide length, const WidePairs *x,
+                                                 WideMask doubt)
+{
+    wide v[LANES], high[3][LANES], low[3][LANES];
+    WideMaskElement doubtful[LANES];
     STORE(value, v);
-    STORE(bound, b);
-    STORE(point.x, p[0]);
-    STORE(point.y, p[1]);
-    STORE(point.z, p[2]);
+    STORE(x->high.x, high[0]);
+    STORE(x->high.y, high[1]);
+    STORE(x->high.z, high[2]);
+    STORE(x->low.x, low[0]);
+    STORE(x->low.y, low[1]);
+    STORE(x->low.z, low[2]);
+    STORE(doubt, doubtful);
     for (int i = 0; i < LANES; i++)
-        if (fabs(v[i]) <= b[i]) {
-            wide at[3] = {p[0][i], p[1][i], p[2][i]};
-            v[i] = with_sign(v[i], side_sign(record, at));
+        if (doubtful[i]) {
+            Exact at = {{high[0][i], low[0][i]}, {high[1][i], low[1][i]}, {high[2][i], low[2][i]}};
+            v[i] = cross_dot(face, &at) / length;
         }
     return LOAD(v);
 }
 
-/* N . (point - v0), its sign exact in every lane of `active`. */
-INLINE Wide plane_distance(const Geometry *g, int face, PlaneRow plane, WideVec point, WideMask active)
+/* N.x in twice the precision, as normal_dot in geometry.c. */
+static WidePair normal_dot_accurate(const PlaneRow *plane, global const FaceRecord *face, const WidePairs *x, WideMask active)
 {
-    global const FaceRecord *record = g->faces + face;
-    Wide x = point.x - (wide)record->vertices[0];
-    Wide y = point.y - (wide)record->vertices[1];
-    Wide z = point.z - (wide)record->vertices[2];
-    Wide value = plane.x * x + plane.y * y + plane.z * z;
-    Wide bound = (plane.error + 4 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z));
-    WideMask unsure = active & IS(fabs(value) <= bound);
-    return ANY(TO_MASK(unsure)) ? settle_distance(record, value, bound, point) : value;
+    WideVec h = x->high, l = x->low;
+    WidePair xs = wide_product((Wide)plane->x, h.x), ys = wide_product((Wide)plane->y, h.y);
+    WidePair zs = wide_product((Wide)plane->z, h.z);
+    WidePair xy = wide_sum(xs.high, ys.high), xyz = wide_sum(xy.high, zs.high);
+    Wide low = xy.low + xyz.low + (xs.low + ys.low + zs.low) +
+               ((plane->low_x * h.x + plane->low_y * h.y + plane->low_z * h.z) +
+                (plane->x * l.x + plane->y * l.y + plane->z * l.z));
+    WidePair value = wide_sum(xyz.high, low);
+    Wide bound = (plane->error + 64 * WIDE_ROUNDING * WIDE_ROUNDING) * wide_magnitudes(h);
+    WideMask doubt = active & IS(fabs(value.high) <= WIDE_DOUBT * bound);
+    if (ANY(TO_MASK(doubt))) {
+        value.high = settle_dot(value.high, face, plane->length, x, doubt);
+        value.low = doubt ? (Wide)0 : value.low;
+    }
+    return value;
 }
 
-/* The same for one point common to all lanes. */
-static wide plane_distance_of_point(const Geometry *g, int face, PlaneRow plane, const wide *point)
+/* N . (point - v0), its sign exact in every lane of `active`. */
+static Wide plane_distance(const Geometry *g, int face, const PlaneRow *plane, WideVec point, WideMask active)
+{
+    WideVec x = from_vertex(g->faces + face, point);
+    Wide value = normal_dot(plane, x);
+    WideMask doubt = active & IS(fabs(value) <= PLAIN_ERROR(*plane) * wide_magnitudes(x));
+    if (!ANY(TO_MASK(doubt)))
+        return value;
+    WidePairs exactly = from_vertex_exactly(g->faces + face, point);
+    return settle_dot(value, g->faces + face, plane->length, &exactly, doubt);
+}
+
+/* The same for a point common to all lanes. */
+static wide plane_distance_of_point(const Geometry *g, int face, const wide *point)
 {
     global const FaceRecord *record = g->faces + face;
-    wide x = point[0] - (wide)record->vertices[0];
-    wide y = point[1] - (wide)record->vertices[1];
-    wide z = point[2] - (wide)record->vertices[2];
+    PlaneRow plane = plane_row(g, face);
+    wide corner[3];
+    face_corner(record, 0, corner);
+    wide x = point[0] - corner[0], y = point[1] - corner[1], z = point[2] - corner[2];
     wide value = plane.x * x + plane.y * y + plane.z * z;
-    wide bound = (plane.error + 4 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z));
-    return fabs(value) > bound ? value : with_sign(value, side_sign(record, point));
+    if (fabs(value) > PLAIN_ERROR(plane) * (fabs(x) + fabs(y) + fabs(z)))
+        return value;
+    Exact exactly = exact_difference(point, corner);
+    return cross_dot(record, &exactly);
+}
+
+/* Where a ray meets a plane. */
+typedef struct PlaneHit {
+    Wide distance, t;
+} PlaneHit;
+
+NOINLINE void plane_hit_accurate(PlaneHit *hit, const PlaneRow *plane, global const FaceRecord *face,
+                                                         const WideVec *origin, const WideVec *direction, WideMask active)
+{
+    WidePairs o = from_vertex_exactly(face, *origin), r = {*direction, {(Wide)0, (Wide)0, (Wide)0}};
+    WidePair distance = normal_dot_accurate(plane, face, &o, active);
+    WidePair approach = normal_dot_accurate(plane, face, &r, active);
+    Wide q = distance.high / approach.high;
+    Wide rest = fma(-q, approach.high, distance.high) + (distance.low - q * approach.low);
+    hit->distance = distance.high;
+    hit->t = -(IS(fabs(q) <= (Wide)WIDE_MAX) ? q + rest / approach.high : q);
+}
+
+/* Plain arithmetic in `wide` leaves an error of some 2^-50 |O - v0| in N.(O - v0) and of 2^-50 |R| in N.R, which is nothing
+ * to a float unless the ray grazes the plane or starts close to it. There, and for t in double, it is done as in geometry.c. */
+static PlaneHit plane_hit(const Geometry *g, int face, const WideVec *origin, const WideVec *direction, WideMask active)
+{
+    PlaneRow plane = plane_row(g, face);
+    PlaneHit hit;
+    WideMask doubt = active;
+    if (!PLAIN_IS_POOR) {
+        WideVec x = from_vertex(g->faces + face, *origin);
+        Wide approach = normal_dot(&plane, *direction);
+        hit.distance = normal_dot(&plane, x);
+        hit.t = -hit.distance / approach;
+        doubt &= IS(fabs(hit.distance) <= PLAIN_DOUBT * wide_magnitudes(x)) |
+                 IS(fabs(approach) <= PLAIN_DOUBT * wide_magnitudes(*direction));
+    }
+    if (ANY(TO_MASK(doubt)))
+        plane_hit_accurate(&hit, &plane, g->faces + face, origin, direction, active);
+    return hit;
 }
 
 /* The part of each ray from t = enter to t = leave. */

@@ -10,12 +10,13 @@ typedef double wide;
 #define WIDE_ROUNDING 0x1p-53
 #define WIDE_MIN DBL_MIN
 #define WIDE_MAX DBL_MAX
-#define WIDE_SPLITTER 134217729.0
+#define WIDE_DOUBT 0x1p24 /* times the bound of arithmetic in pairs: below it, fewer than 24 bits are sure */
 #else
 typedef float wide;
 #define WIDE_ROUNDING 0x1p-24f
 #define WIDE_MIN FLT_MIN
 #define WIDE_MAX FLT_MAX
+#define WIDE_DOUBT 0x1p6f
 #endif
 
 #if REAL_DOUBLE
@@ -39,6 +40,10 @@ typedef float8 real8;
 /* Some functions the compiler would rather call; a call passes its vectors through memory. */
 #define INLINE static inline __attribute__((always_inline))
 #define NOINLINE static __attribute__((noinline))
+
+/* Is t wanted as exactly as `wide` can hold it? If not, plain arithmetic does, down to this share of its terms. */
+#define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
+#define PLAIN_DOUBT (wide)0x1p-20f
 
 #define PASTE_(a, b) a##b
 #define PASTE(a, b) PASTE_(a, b)
@@ -98,6 +103,12 @@ typedef PASTE(int, LANES) WideMask;
 typedef long MaskElement;
 #else
 typedef int MaskElement;
+#endif
+
+#if (REAL_DOUBLE || HAS_DOUBLE) && LANES > 1
+typedef long WideMaskElement;
+#else
+typedef int WideMaskElement;
 #endif
 
 /* One compare and one blend each; min() and max() of vectors cost twice that for their handling of NaN. */

@@ -37,10 +37,12 @@ enum {
     FACE_REALS = 28
 };
 
+/* Planes are rows of `wide`: double wherever the device has it. */
 enum {
     PLANE_NORMAL = 0, /* 3, unit */
     PLANE_NORMAL_LOW = 3,
-    PLANE_ERROR = 6, /* no component of the exact normal is farther from NORMAL + NORMAL_LOW */
+    PLANE_ERROR = 6,  /* no component of the exact normal is farther from NORMAL + NORMAL_LOW */
+    PLANE_LENGTH = 7, /* of the cross product of the diagonals */
     PLANE_REALS = 8
 };
 

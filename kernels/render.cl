@@ -100,7 +100,7 @@ static void store_tile(global uchar *rgb, const Parameters *p, int first_column,
 
 /* rgb: band_rows * columns * 3 bytes. One work-item per tile, tiles row by row; surplus work-items do nothing. */
 kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
-                   global const real *planes, global const real *materials, global const real *lights,
+                   global const wide *planes, global const real *materials, global const real *lights,
                    global const real *view, global uchar *rgb, volatile global uint *totals, global const float *boxes, global const int *children)
 {
     Parameters p = *parameters;
@@ -131,7 +131,7 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
 
 /* rays: ray_count x (origin, direction); hits_face, hits_t: one per ray, -1 and 0 for a miss. LANES rays per work-item. */
 kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
-                 global const real *planes, global const real *rays, global int *hits_face, global wide *hits_t,
+                 global const wide *planes, global const real *rays, global int *hits_face, global wide *hits_t,
                  volatile global uint *totals, global const float *boxes, global const int *children)
 {
     Geometry g = {faces, edges, planes, parameters->face_count};

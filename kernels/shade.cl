@@ -23,14 +23,21 @@ static int first_of(Mask numbers, Mask mask)
 }
 
 /* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */
-static Vec point_shifted(global const FaceRecord *face, PlaneRow plane, Vec n, Mask with_normal, Vec point)
+static Vec point_shifted(const Geometry *g, int face, const PlaneRow *plane, Vec n, Mask with_normal, Vec point)
 {
+    global const FaceRecord *record = g->faces + face;
     WideVec p = vec_to_wide(point);
-    Wide x = p.x - (wide)face->vertices[0], y = p.y - (wide)face->vertices[1], z = p.z - (wide)face->vertices[2];
-    Wide height = plane.x * x + plane.y * y + plane.z * z;
+    Wide height, doubt = (Wide)0;
+    if (PLAIN_IS_POOR) {
+        WidePairs x = from_vertex_exactly(record, p);
+        height = normal_dot_accurate(plane, record, &x, (WideMask)-1).high;
+    } else {
+        WideVec x = from_vertex(record, p);
+        height = normal_dot(plane, x);
+        doubt = PLAIN_ERROR(*plane) * wide_magnitudes(x);
+    }
     height = TO_WIDE_MASK(with_normal) ? -height : height;
-    Wide margin = (plane.error + 5 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z)) +
-                  TO_WIDE(2 * REAL_ROUNDING * vec_magnitudes(point)) + (wide)(12 * REAL_ROUNDING) * fabs(height);
+    Wide margin = TO_WIDE(2 * REAL_ROUNDING * vec_magnitudes(point)) + (wide)(12 * REAL_ROUNDING) * fabs(height) + doubt;
     margin = margin > (Wide)SHIFT_FLOOR ? margin : (Wide)SHIFT_FLOOR;
     return vec_add(point, vec_scale(TO_REAL(margin - height), n));
 }
@@ -40,7 +47,9 @@ static Surface surface_of(const Geometry *g, const Shading *s, Vec origin, Vec d
     Surface surface;
     surface.face = nearest.face;
     surface.with_normal = nearest.with_normal;
-    surface.point = vec_add(origin, vec_scale(TO_REAL(nearest.t), direction));
+    WideVec o = vec_to_wide(origin), r = vec_to_wide(direction);
+    WideVec p = {o.x + nearest.t * r.x, o.y + nearest.t * r.y, o.z + nearest.t * r.z};
+    surface.point = vec_to_real(p);
     surface.normal = surface.shifted = surface.ambient = surface.diffuse = surface.specular = vec(0, 0, 0);
     surface.exponent = surface.reflection = (Lanes)0;
     for (Mask rest = active; ANY(rest);) {
@@ -48,10 +57,10 @@ static Surface surface_of(const Geometry *g, const Shading *s, Vec origin, Vec d
         Mask here = rest & IS(nearest.face == (Mask)face);
         rest &= ~here;
         PlaneRow plane = plane_row(g, face);
-        Vec normal = vec_row(g->planes + (size_t)face * PLANE_REALS);
+        Vec normal = vec((Lanes)(real)plane.x, (Lanes)(real)plane.y, (Lanes)(real)plane.z);
         Vec turned = vec_select(nearest.with_normal, vec(-normal.x, -normal.y, -normal.z), normal);
         surface.normal = vec_select(here, turned, surface.normal);
-        surface.shifted = vec_select(here, point_shifted(g->faces + face, plane, turned, nearest.with_normal, surface.point),
+        surface.shifted = vec_select(here, point_shifted(g, face, &plane, turned, nearest.with_normal, surface.point),
                                      surface.shifted);
         global const real *material = s->materials + (size_t)g->faces[face].material * MATERIAL_REALS;
         surface.ambient = vec_select(here, vec_row(material + MATERIAL_AMBIENT), surface.ambient);
@@ -71,7 +80,7 @@ static Mask faces_light(const Geometry *g, const Surface *surface, const wide *l
         int face = first_of(surface->face, rest);
         Mask here = rest & IS(surface->face == (Mask)face);
         rest &= ~here;
-        wide distance = plane_distance_of_point(g, face, plane_row(g, face), light);
+        wide distance = plane_distance_of_point(g, face, light);
         facing |= here & (distance > 0 ? ~surface->with_normal : distance < 0 ? surface->with_normal : (Mask)0);
     }
     return facing;

@@ -41,27 +41,21 @@ static bool ask_nearest(const Geometry *g, NearestQuery *q, int i)
     if (g->faces[i].front_only)
         edges.may &= ~edges.with_normal;
 
-    PlaneRow plane = plane_row(g, i);
-    WideMask with_normal = TO_WIDE_MASK(edges.with_normal);
-    Wide distance = plane_distance(g, i, plane, q->origin, TO_WIDE_MASK(edges.may));
-    Wide approach = plane.x * q->direction.x + plane.y * q->direction.y + plane.z * q->direction.z;
-    /* The edges have told the exact sign of N.R. */
-    approach = with_normal ? (approach > (Wide)0 ? approach : (Wide)WIDE_MIN)
-                           : (approach < (Wide)0 ? approach : (Wide)-WIDE_MIN);
-    Wide t = -distance / approach;
-    WideMask ahead = with_normal ? IS(distance < (Wide)0) : IS(distance > (Wide)0);
+    PlaneHit hit = plane_hit(g, i, &q->origin, &q->direction, TO_WIDE_MASK(edges.may));
+    /* The edges have told the sign of N.R. */
+    WideMask ahead = TO_WIDE_MASK(edges.with_normal) ? IS(hit.distance < (Wide)0) : IS(hit.distance > (Wide)0);
     if (!g->faces[i].flat) {
         /* Where the ray grazes the face, rounding must not put the hit outside the face's box. */
         Interval in_box = interval_in_box(g->faces + i, q->origin, q->direction);
         ahead &= IS(in_box.enter <= in_box.leave);
-        t = t < in_box.enter ? in_box.enter : t;
-        t = t > in_box.leave ? in_box.leave : t;
+        hit.t = hit.t < in_box.enter ? in_box.enter : hit.t;
+        hit.t = hit.t > in_box.leave ? in_box.leave : hit.t;
     }
     Mask index = (Mask)g->faces[i].index;
-    WideMask first = IS(t == q->nearest.t) & TO_WIDE_MASK(IS(index < q->nearest.index));
-    WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(t <= (Wide)WIDE_MAX) & (IS(t < q->nearest.t) | first);
+    WideMask first = IS(hit.t == q->nearest.t) & TO_WIDE_MASK(IS(index < q->nearest.index));
+    WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(hit.t <= (Wide)WIDE_MAX) & (IS(hit.t < q->nearest.t) | first);
     Mask take = TO_MASK(nearer);
-    q->nearest.t = nearer ? t : q->nearest.t;
+    q->nearest.t = nearer ? hit.t : q->nearest.t;
     q->nearest.face = take ? (Mask)i : q->nearest.face;
     q->nearest.index = take ? index : q->nearest.index;
     q->nearest.with_normal = take ? edges.with_normal : q->nearest.with_normal;
@@ -78,8 +72,8 @@ static bool ask_blocked(const Geometry *g, BlockedQuery *q, int i)
     if (ANY(edges.may & ~edges.sure))
         settle_edges(&edges, g->faces + i, &q->settle, q->target);
     PlaneRow plane = plane_row(g, i);
-    wide end = plane_distance_of_point(g, i, plane, q->target);
-    Wide start = plane_distance(g, i, plane, q->origin, TO_WIDE_MASK(edges.may));
+    wide end = plane_distance_of_point(g, i, q->target);
+    Wide start = plane_distance(g, i, &plane, q->origin, TO_WIDE_MASK(edges.may));
     WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
     WideMask between = end < 0 ? before : end > 0 && !g->faces[i].front_only ? behind : (WideMask)0;
     if (!g->faces[i].flat) {
