@@ -1,0 +1,55 @@
+"""The house stands as docs/architecture.md says: every source file has its place there, and no file includes from a
+floor above its own."""
+import re
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+SOURCES = sorted((ROOT / "src").glob("*.[ch]"))
+KERNELS = sorted((ROOT / "kernels").iterdir())
+
+
+def floors():
+    """The floor that each header states, by the name that it shares with its .c file."""
+    stated = {}
+    for header in (ROOT / "src").glob("*.h"):
+        floor = re.search(r"\bFloor (\d)\b", header.read_text(encoding="utf-8"))
+        if floor:
+            stated[header.stem] = int(floor.group(1))
+    return stated
+
+
+class Architecture(unittest.TestCase):
+    def test_page_names_every_source(self):
+        named = set(re.findall(r"`([\w.]+)`", PAGE))
+        for path in SOURCES:
+            # A group of files such as image_read.c and image_write.c may share a header that is named by its parts.
+            known = {path.stem, path.name} & named or any(name.startswith(path.stem + "_") for name in named)
+            self.assertTrue(known, f"docs/architecture.md does not name src/{path.name}")
+
+    def test_page_names_every_kernel(self):
+        for path in KERNELS:
+            self.assertIn(f"`{path.name}`", PAGE)
+
+    def test_page_names_no_file_that_is_gone(self):
+        stems = {path.stem for path in SOURCES}
+        names = {path.name for path in SOURCES + KERNELS}
+        table = PAGE[PAGE.index("| what |"):PAGE.index("A name without")]
+        for name in re.findall(r"`([\w.]+)`", table):
+            self.assertTrue(name in stems or name in names, f"docs/architecture.md names src/{name}, which is not there")
+
+    def test_every_header_states_its_floor(self):
+        missing = {path.stem for path in SOURCES if path.suffix == ".h"} - set(floors())
+        self.assertEqual(missing, set())
+
+    def test_no_file_includes_from_above(self):
+        stated = floors()
+        for path in SOURCES:
+            for included in re.findall(r'#include "(\w+)\.h"', path.read_text(encoding="utf-8")):
+                if path.stem in stated and included in stated:
+                    self.assertLessEqual(stated[included], stated[path.stem], f"src/{path.name} includes {included}.h")
+
+
+if __name__ == "__main__":
+    unittest.main()
