@@ -52,7 +52,7 @@ typedef struct Event {
         struct { Vec3 r_unit, direction, origin; double reflection, weight; int bounce; } reflected; /* bounce: 1 for the first */
         struct { PathEnd reason; Vec3 colour; int bounces; } path_end; /* colour: of this sample */
         struct { Vec3 sum, average, clamped; int samples; unsigned char rgb[3]; } pixel;
-        struct { int tested, verdicts[FACE_VERDICT_COUNT]; bool shadow; } tally; /* shadow: of a shadow ray */
+        struct { int tested, verdicts[FACE_VERDICT_COUNT], nodes_met, nodes_entered, leaves; bool shadow; } tally; /* shadow: of a shadow ray; leaves: among the nodes entered */
     } as;
 } Event;
 
