@@ -8,6 +8,10 @@ typedef struct Geometry {
     int face_count;
 } Geometry;
 
+typedef struct Ray {
+    WideVec origin, direction;
+} Ray;
+
 /* What the edge functions need of a ray: s_k = R . moment_k + (O x R) . direction_k = det(R, v[k] - O, v[k+1] - O). */
 typedef struct Line {
     Vec origin, direction, moment;
@@ -54,19 +58,19 @@ INLINE EdgeTest test_edges(const Line *l, global const real *row)
 }
 
 /* Settles the lanes that may pass inside but not surely. With `target` the rays are segments that end there. */
-NOINLINE void settle_edges(EdgeTest *test, global const FaceRecord *face, const Line *l, const wide *target)
+NOINLINE void settle_edges(EdgeTest *test, global const FaceRecord *face, const Ray *ray, const wide *target)
 {
     MaskElement may[LANES], sure[LANES], with_normal[LANES];
-    real o[3][LANES], r[3][LANES];
+    wide o[3][LANES], r[3][LANES];
     STORE(test->may, may);
     STORE(test->sure, sure);
     STORE(test->with_normal, with_normal);
-    STORE(l->origin.x, o[0]);
-    STORE(l->origin.y, o[1]);
-    STORE(l->origin.z, o[2]);
-    STORE(l->direction.x, r[0]);
-    STORE(l->direction.y, r[1]);
-    STORE(l->direction.z, r[2]);
+    STORE(ray->origin.x, o[0]);
+    STORE(ray->origin.y, o[1]);
+    STORE(ray->origin.z, o[2]);
+    STORE(ray->direction.x, r[0]);
+    STORE(ray->direction.y, r[1]);
+    STORE(ray->direction.z, r[2]);
     for (int i = 0; i < LANES; i++) {
         if (!may[i] || sure[i])
             continue;
@@ -96,8 +100,6 @@ INLINE PlaneRow plane_row(const Geometry *g, int face)
     PlaneRow plane = {row[0], row[1], row[2], row[3], row[4], row[5], row[PLANE_ERROR], row[PLANE_LENGTH]};
     return plane;
 }
-
-static Wide wide_magnitudes(WideVec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 
 static WideVec from_vertex(global const FaceRecord *face, WideVec point)
 {

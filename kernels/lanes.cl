@@ -1,7 +1,8 @@
 /* Lanes: LANES rays side by side in vector registers, one work-item for all of them.
  * LANES (1, 4, 8, 16) and REAL_DOUBLE (0, 1) are build options; one source serves them all. A CPU wants as many lanes
  * as its registers hold, since its compiler does not vectorise loops that differ between rays; a GPU wants 1.
- * `wide` is double wherever the device has it: plane distances and t are computed in it by both precisions. */
+ * `wide` is double wherever the device has it: rays, t and hit points are wide in both precisions; the many edge and
+ * box tests and all shading are real. */
 #pragma OPENCL FP_CONTRACT OFF /* a * b + c rounds twice, as on the host; fma() where we want one rounding */
 
 #if REAL_DOUBLE || HAS_DOUBLE
@@ -58,7 +59,7 @@ typedef int WideMask;
 #define TO_REAL(x) ((real)(x))
 #define TO_WIDE_MASK(m) (m)
 #define TO_MASK(m) (m)
-#define TO_LANES(m) ((real)(m))
+#define MASK_TO_WIDE(m) ((wide)(m))
 #define LOAD_FLOATS(p) ((real)*(p))
 #define LOAD(p) (*(p))
 #define STORE(v, p) (*(p) = (v))
@@ -67,24 +68,24 @@ typedef int WideMask;
 typedef PASTE(double, LANES) Lanes;
 typedef PASTE(long, LANES) Mask;
 #define TO_MASK(m) (m)
-#define TO_LANES(m) PASTE(convert_double, LANES)(m)
 #define LOAD_FLOATS(p) PASTE(convert_double, LANES)(PASTE(vload, LANES)(0, p))
 #else
 typedef PASTE(float, LANES) Lanes;
 typedef PASTE(int, LANES) Mask;
 #define TO_MASK(m) PASTE(convert_int, LANES)(m)
-#define TO_LANES(m) PASTE(convert_float, LANES)(m)
 #define LOAD_FLOATS(p) PASTE(vload, LANES)(0, p)
 #endif
 #if REAL_DOUBLE || HAS_DOUBLE
 typedef PASTE(double, LANES) Wide;
 typedef PASTE(long, LANES) WideMask;
 #define TO_WIDE(x) PASTE(convert_double, LANES)(x)
+#define MASK_TO_WIDE(m) PASTE(convert_double, LANES)(m)
 #define TO_WIDE_MASK(m) PASTE(convert_long, LANES)(m)
 #else
 typedef PASTE(float, LANES) Wide;
 typedef PASTE(int, LANES) WideMask;
 #define TO_WIDE(x) (x)
+#define MASK_TO_WIDE(m) PASTE(convert_float, LANES)(m)
 #define TO_WIDE_MASK(m) (m)
 #endif
 #if REAL_DOUBLE
@@ -153,13 +154,30 @@ static Vec vec_unit(Vec a)
     return vec(a.x / length, a.y / length, a.z / length);
 }
 
-static Vec vec_to_real(WideVec a) { return vec(TO_REAL(a.x), TO_REAL(a.y), TO_REAL(a.z)); }
-
-static WideVec vec_to_wide(Vec a)
+static WideVec wide_vec(Wide x, Wide y, Wide z)
 {
-    WideVec w = {TO_WIDE(a.x), TO_WIDE(a.y), TO_WIDE(a.z)};
-    return w;
+    WideVec v = {x, y, z};
+    return v;
 }
+
+static WideVec wide_add(WideVec a, WideVec b) { return wide_vec(a.x + b.x, a.y + b.y, a.z + b.z); }
+static WideVec wide_sub(WideVec a, WideVec b) { return wide_vec(a.x - b.x, a.y - b.y, a.z - b.z); }
+static WideVec wide_scale(Wide s, WideVec a) { return wide_vec(s * a.x, s * a.y, s * a.z); }
+static Wide wide_dot(WideVec a, WideVec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Wide wide_magnitudes(WideVec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+
+static WideVec wide_unit(WideVec a)
+{
+    Wide length = sqrt(wide_dot(a, a));
+    return wide_vec(a.x / length, a.y / length, a.z / length);
+}
+
+static WideVec wide_select(WideMask mask, WideVec a, WideVec b)
+{
+    return wide_vec(mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z);
+}
+
+static Vec vec_to_real(WideVec a) { return vec(TO_REAL(a.x), TO_REAL(a.y), TO_REAL(a.z)); }
 
 /* x to the power y for x >= 0, y >= 0. In float by logarithms: within 1e-6 where the result shows in a byte, at an eighth
  * of pow's cost. In double lane by lane: PoCL 3.1's pow of vectors of doubles is wrong, by up to infinity, where the

@@ -64,6 +64,7 @@ enum {
     MATERIAL_REALS = 12
 };
 
+/* The first VIEW_REALS are rounded values, the second what rounding took away: value = row[i] + row[VIEW_REALS + i]. */
 enum {
     VIEW_EYE = 0,
     VIEW_FORWARD = 3, /* times the screen's distance */

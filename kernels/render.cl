@@ -5,35 +5,43 @@
 typedef char FaceRecordHasTheHostsSize[sizeof(FaceRecord) == FACE_RECORD_BYTES ? 1 : -1];
 typedef char ParametersHasTheHostsSize[sizeof(Parameters) == PARAMETERS_BYTES ? 1 : -1];
 
+static wide view_value(const Shading *s, int column) { return (wide)s->view[column] + (wide)s->view[VIEW_REALS + column]; }
+
+static WideVec view_vec(const Shading *s, int column)
+{
+    return wide_vec((Wide)view_value(s, column), (Wide)view_value(s, column + 1), (Wide)view_value(s, column + 2));
+}
+
 /* The direction R = Q - C to sub-pixel (i, j) of each lane's pixel: see view_direction in geometry.c. */
-static Vec view_direction(const Shading *s, Lanes column, Lanes row, int i, int j)
+static WideVec view_direction(const Shading *s, Wide column, Wide row, int i, int j)
 {
     constant const Parameters *p = s->parameters;
-    real sub_column = (i + (real)0.5) / p->grid, sub_row = (j + (real)0.5) / p->grid;
-    Lanes x = ((column + sub_column) / (real)p->columns - (real)0.5) * s->view[VIEW_WIDTH];
-    Lanes y = ((real)0.5 - (row + sub_row) / (real)p->rows) * s->view[VIEW_HEIGHT];
-    return vec_add(vec_add(vec_row(s->view + VIEW_FORWARD), vec_scale(x, vec_row(s->view + VIEW_RIGHT))),
-                   vec_scale(y, vec_row(s->view + VIEW_UP)));
+    wide sub_column = (i + (wide)0.5) / p->grid, sub_row = (j + (wide)0.5) / p->grid;
+    Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
+    Wide y = ((wide)0.5 - (row + sub_row) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
+    return wide_add(wide_add(view_vec(s, VIEW_FORWARD), wide_scale(x, view_vec(s, VIEW_RIGHT))),
+                    wide_scale(y, view_vec(s, VIEW_UP)));
 }
 
 /* The colours of one primary ray per lane: the hits' illuminations, each weighted by the mirrors before it. */
-static Vec trace_path(const Geometry *g, const Shading *s, Vec origin, Vec direction, Mask active, Counters *counters)
+static Vec trace_path(const Geometry *g, const Shading *s, Ray ray, Mask active, Counters *counters)
 {
     constant const Parameters *p = s->parameters;
+    WideVec eye = ray.origin;
     Vec total = vec(0, 0, 0), background = vec_row(s->view + VIEW_BACKGROUND);
     Lanes weight = (Lanes)1;
     Mask left = (Mask)-1;
     for (int bounces = 0;; bounces++) {
-        Nearest nearest = find_nearest(g, s->tree, origin, direction, active, left, bounces == 0, counters);
+        Nearest nearest = find_nearest(g, s->tree, ray, active, left, bounces == 0, counters);
         Mask missed = active & IS(nearest.face < (Mask)0);
         total = vec_select(missed, vec_add(total, vec_scale(weight, background)), total);
         active &= ~missed;
         if (!ANY(active))
             return total;
 
-        Surface surface = surface_of(g, s, origin, direction, nearest, active);
-        Vec r = vec_unit(direction);
-        Vec v = p->viewer_ray ? vec(-r.x, -r.y, -r.z) : vec_unit(vec_sub(vec_row(s->view + VIEW_EYE), surface.point));
+        Surface surface = surface_of(g, s, ray, nearest, active);
+        Vec ahead = vec_unit(vec_to_real(ray.direction));
+        Vec v = p->viewer_ray ? vec(-ahead.x, -ahead.y, -ahead.z) : vec_unit(vec_to_real(wide_sub(eye, surface.point)));
         Mask lit;
         Vec illumination = shade(g, s, &surface, v, active, &lit, counters);
         total = vec_select(active, vec_add(total, vec_scale(weight, illumination)), total);
@@ -44,8 +52,9 @@ static Vec trace_path(const Geometry *g, const Shading *s, Vec origin, Vec direc
         if (bounces == p->max_bounces || !ANY(active))
             return total;
         counters->kinds[COUNT_REFLECTION] += mask_count(active);
-        direction = vec_sub(r, vec_scale(2 * vec_dot(r, surface.normal), surface.normal));
-        origin = surface.shifted;
+        WideVec r = wide_unit(ray.direction);
+        ray.direction = wide_sub(r, wide_scale(2 * wide_dot(r, surface.normal), surface.normal));
+        ray.origin = surface.shifted;
         weight = weight * surface.reflection;
         left = surface.face;
     }
@@ -120,9 +129,10 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
     Vec sum = vec(0, 0, 0);
     for (int j = 0; j < p.grid; j++)
         for (int i = 0; i < p.grid; i++) {
-            Vec direction = view_direction(&s, TO_LANES(column), TO_LANES(row + p.first_row), i, j);
+            Ray ray = {view_vec(&s, VIEW_EYE),
+                       view_direction(&s, MASK_TO_WIDE(column), MASK_TO_WIDE(row + p.first_row), i, j)};
             counters.kinds[COUNT_PRIMARY] += mask_count(active);
-            sum = vec_add(sum, trace_path(&g, &s, vec_row(view + VIEW_EYE), direction, active, &counters));
+            sum = vec_add(sum, trace_path(&g, &s, ray, active, &counters));
         }
     real samples = (real)p.grid * (real)p.grid;
     store_tile(rgb, &p, first_column, first_row, vec(sum.x / samples, sum.y / samples, sum.z / samples));
@@ -131,7 +141,7 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
 
 /* rays: ray_count x (origin, direction); hits_face, hits_t: one per ray, -1 and 0 for a miss. LANES rays per work-item. */
 kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
-                 global const wide *planes, global const real *rays, global int *hits_face, global wide *hits_t,
+                 global const wide *planes, global const wide *rays, global int *hits_face, global wide *hits_t,
                  volatile global uint *totals, global const float *boxes, global const int *children)
 {
     Geometry g = {faces, edges, planes, parameters->face_count};
@@ -140,13 +150,12 @@ kernel void cast(constant Parameters *parameters, global const FaceRecord *faces
     int first = (int)get_global_id(0) * LANES, count = min(LANES, parameters->ray_count - first);
     if (count <= 0)
         return;
-    real ray[6][LANES];
+    wide v[6][LANES];
     for (int i = 0; i < LANES; i++)
         for (int k = 0; k < 6; k++)
-            ray[k][i] = rays[6 * (size_t)(first + min(i, count - 1)) + k];
-    Nearest nearest = find_nearest(&g, &tree, vec(LOAD(ray[0]), LOAD(ray[1]), LOAD(ray[2])),
-                                   vec(LOAD(ray[3]), LOAD(ray[4]), LOAD(ray[5])), IS(lane_numbers() < (Mask)count),
-                                   (Mask)-1, false, &counters);
+            v[k][i] = rays[6 * (size_t)(first + min(i, count - 1)) + k];
+    Ray ray = {wide_vec(LOAD(v[0]), LOAD(v[1]), LOAD(v[2])), wide_vec(LOAD(v[3]), LOAD(v[4]), LOAD(v[5]))};
+    Nearest nearest = find_nearest(&g, &tree, ray, IS(lane_numbers() < (Mask)count), (Mask)-1, false, &counters);
     MaskElement face[LANES];
     wide t[LANES];
     STORE(nearest.face, face);

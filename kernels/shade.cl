@@ -2,7 +2,7 @@
  * what belongs to a face is fetched once per face and blended into its lanes. */
 
 typedef struct Surface {
-    Vec point, normal, shifted; /* P, N on the ray's side, P moved off the face */
+    WideVec point, normal, shifted; /* P, N on the ray's side, P moved off the face */
     Vec ambient, diffuse, specular;
     Lanes exponent, reflection;
     Mask face, with_normal;
@@ -23,45 +23,45 @@ static int first_of(Mask numbers, Mask mask)
 }
 
 /* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */
-static Vec point_shifted(const Geometry *g, int face, const PlaneRow *plane, Vec n, Mask with_normal, Vec point)
+static WideVec point_shifted(const Geometry *g, int face, const PlaneRow *plane, WideVec n, WideMask with_normal, WideVec point)
 {
     global const FaceRecord *record = g->faces + face;
-    WideVec p = vec_to_wide(point);
     Wide height, doubt = (Wide)0;
     if (PLAIN_IS_POOR) {
-        WidePairs x = from_vertex_exactly(record, p);
+        WidePairs x = from_vertex_exactly(record, point);
         height = normal_dot_accurate(plane, record, &x, (WideMask)-1).high;
     } else {
-        WideVec x = from_vertex(record, p);
+        WideVec x = from_vertex(record, point);
         height = normal_dot(plane, x);
         doubt = PLAIN_ERROR(*plane) * wide_magnitudes(x);
     }
-    height = TO_WIDE_MASK(with_normal) ? -height : height;
-    Wide margin = TO_WIDE(2 * REAL_ROUNDING * vec_magnitudes(point)) + (wide)(12 * REAL_ROUNDING) * fabs(height) + doubt;
+    height = with_normal ? -height : height;
+    Wide margin = 2 * WIDE_ROUNDING * wide_magnitudes(point) + 12 * WIDE_ROUNDING * fabs(height) + doubt;
     margin = margin > (Wide)SHIFT_FLOOR ? margin : (Wide)SHIFT_FLOOR;
-    return vec_add(point, vec_scale(TO_REAL(margin - height), n));
+    return wide_add(point, wide_scale(margin - height, n));
 }
 
-static Surface surface_of(const Geometry *g, const Shading *s, Vec origin, Vec direction, Nearest nearest, Mask active)
+static Surface surface_of(const Geometry *g, const Shading *s, Ray ray, Nearest nearest, Mask active)
 {
     Surface surface;
     surface.face = nearest.face;
     surface.with_normal = nearest.with_normal;
-    WideVec o = vec_to_wide(origin), r = vec_to_wide(direction);
-    WideVec p = {o.x + nearest.t * r.x, o.y + nearest.t * r.y, o.z + nearest.t * r.z};
-    surface.point = vec_to_real(p);
-    surface.normal = surface.shifted = surface.ambient = surface.diffuse = surface.specular = vec(0, 0, 0);
+    surface.point = wide_add(ray.origin, wide_scale(nearest.t, ray.direction));
+    surface.normal = surface.shifted = wide_vec((Wide)0, (Wide)0, (Wide)0);
+    surface.ambient = surface.diffuse = surface.specular = vec(0, 0, 0);
     surface.exponent = surface.reflection = (Lanes)0;
+    WideMask with_normal = TO_WIDE_MASK(nearest.with_normal);
     for (Mask rest = active; ANY(rest);) {
         int face = first_of(nearest.face, rest);
         Mask here = rest & IS(nearest.face == (Mask)face);
         rest &= ~here;
+        WideMask wide_here = TO_WIDE_MASK(here);
         PlaneRow plane = plane_row(g, face);
-        Vec normal = vec((Lanes)(real)plane.x, (Lanes)(real)plane.y, (Lanes)(real)plane.z);
-        Vec turned = vec_select(nearest.with_normal, vec(-normal.x, -normal.y, -normal.z), normal);
-        surface.normal = vec_select(here, turned, surface.normal);
-        surface.shifted = vec_select(here, point_shifted(g, face, &plane, turned, nearest.with_normal, surface.point),
-                                     surface.shifted);
+        WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
+        WideVec turned = wide_select(with_normal, wide_vec(-normal.x, -normal.y, -normal.z), normal);
+        surface.normal = wide_select(wide_here, turned, surface.normal);
+        surface.shifted = wide_select(wide_here, point_shifted(g, face, &plane, turned, with_normal, surface.point),
+                                      surface.shifted);
         global const real *material = s->materials + (size_t)g->faces[face].material * MATERIAL_REALS;
         surface.ambient = vec_select(here, vec_row(material + MATERIAL_AMBIENT), surface.ambient);
         surface.diffuse = vec_select(here, vec_row(material + MATERIAL_DIFFUSE), surface.diffuse);
@@ -91,10 +91,11 @@ static Lanes at_least_zero(Lanes x) { return x > (Lanes)0 ? x : (Lanes)0; }
 /* Blinn-Phong, term by term as light.c: ambient everywhere, the other two where the light reaches. */
 static Vec illuminate(const Surface *surface, global const real *light, Vec l, Vec v, Mask reaches)
 {
+    Vec normal = vec_to_real(surface->normal);
     Vec ambient = vec_multiply(surface->ambient, vec_row(light + LIGHT_AMBIENT));
-    Lanes l_dot_n = at_least_zero(vec_dot(l, surface->normal));
+    Lanes l_dot_n = at_least_zero(vec_dot(l, normal));
     Vec halfway = vec_unit(vec_add(l, v));
-    Lanes n_dot_h = at_least_zero(vec_dot(surface->normal, halfway));
+    Lanes n_dot_h = at_least_zero(vec_dot(normal, halfway));
     Vec diffuse = vec_scale(l_dot_n, vec_multiply(surface->diffuse, vec_row(light + LIGHT_DIFFUSE)));
     Vec shine = vec_multiply(surface->specular, vec_row(light + LIGHT_SPECULAR));
     Vec specular = vec(0, 0, 0);
@@ -123,7 +124,8 @@ static Vec shade(const Geometry *g, const Shading *s, const Surface *surface, Ve
         Mask counted = s->parameters->shadow_ambient ? active : reaches;
         if (!ANY(counted))
             continue;
-        Vec l = vec_unit(vec_sub(vec_row(light + LIGHT_POSITION), surface->point));
+        WideVec at = wide_vec((Wide)position[0], (Wide)position[1], (Wide)position[2]);
+        Vec l = vec_unit(vec_to_real(wide_sub(at, surface->point)));
         Vec sum = illuminate(surface, light, l, v, reaches);
         colour = vec_select(counted, vec_add(colour, sum), colour);
     }

@@ -15,16 +15,16 @@ typedef struct Nearest {
 
 typedef struct NearestQuery {
     Line line;
-    WideVec origin, direction;
+    Ray ray;
     Mask active, left; /* left: the face that each ray leaves, not to be hit again */
     Nearest nearest;
 } NearestQuery;
 
-/* Segments from many points to one target, told the other way round: their lines start at the target, which they share. */
+/* Segments from many points to one target. Their lines are told the other way round: they start at the target, which they
+ * share. */
 typedef struct BlockedQuery {
-    Line line;       /* from the target to the points */
-    Line settle;     /* origin: the points, for the exact test */
-    WideVec origin;  /* the points */
+    Line line; /* from the target to the points */
+    Ray ray;   /* from the points to the target */
     wide target[3];
     Mask active, left, blocked;
 } BlockedQuery;
@@ -37,16 +37,16 @@ static bool ask_nearest(const Geometry *g, NearestQuery *q, int i)
     if (!ANY(edges.may))
         return false;
     if (ANY(edges.may & ~edges.sure))
-        settle_edges(&edges, g->faces + i, &q->line, 0);
+        settle_edges(&edges, g->faces + i, &q->ray, 0);
     if (g->faces[i].front_only)
         edges.may &= ~edges.with_normal;
 
-    PlaneHit hit = plane_hit(g, i, &q->origin, &q->direction, TO_WIDE_MASK(edges.may));
+    PlaneHit hit = plane_hit(g, i, &q->ray.origin, &q->ray.direction, TO_WIDE_MASK(edges.may));
     /* The edges have told the sign of N.R. */
     WideMask ahead = TO_WIDE_MASK(edges.with_normal) ? IS(hit.distance < (Wide)0) : IS(hit.distance > (Wide)0);
     if (!g->faces[i].flat) {
         /* Where the ray grazes the face, rounding must not put the hit outside the face's box. */
-        Interval in_box = interval_in_box(g->faces + i, q->origin, q->direction);
+        Interval in_box = interval_in_box(g->faces + i, q->ray.origin, q->ray.direction);
         ahead &= IS(in_box.enter <= in_box.leave);
         hit.t = hit.t < in_box.enter ? in_box.enter : hit.t;
         hit.t = hit.t > in_box.leave ? in_box.leave : hit.t;
@@ -70,15 +70,14 @@ static bool ask_blocked(const Geometry *g, BlockedQuery *q, int i)
     if (!ANY(edges.may))
         return false;
     if (ANY(edges.may & ~edges.sure))
-        settle_edges(&edges, g->faces + i, &q->settle, q->target);
+        settle_edges(&edges, g->faces + i, &q->ray, q->target);
     PlaneRow plane = plane_row(g, i);
     wide end = plane_distance_of_point(g, i, q->target);
-    Wide start = plane_distance(g, i, &plane, q->origin, TO_WIDE_MASK(edges.may));
+    Wide start = plane_distance(g, i, &plane, q->ray.origin, TO_WIDE_MASK(edges.may));
     WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
     WideMask between = end < 0 ? before : end > 0 && !g->faces[i].front_only ? behind : (WideMask)0;
     if (!g->faces[i].flat) {
-        WideVec to_target = {q->target[0] - q->origin.x, q->target[1] - q->origin.y, q->target[2] - q->origin.z};
-        Interval in_box = interval_in_box(g->faces + i, q->origin, to_target);
+        Interval in_box = interval_in_box(g->faces + i, q->ray.origin, q->ray.direction);
         between &= IS(in_box.enter <= in_box.leave) & IS(in_box.enter <= (Wide)1);
     }
     Mask hit = edges.may & TO_MASK(between);

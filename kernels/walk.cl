@@ -35,7 +35,7 @@ INLINE Slab slab(Lanes origin, Lanes direction, Mask active)
     real low = lowest(direction, active), high = highest(direction, active);
     s.origin_low = lowest(origin, active);
     s.origin_high = highest(origin, active);
-    /* A target that is not a float has been rounded to one. */
+    /* They have been rounded to real. */
     s.origin_low -= 2 * REAL_ROUNDING * fabs(s.origin_low);
     s.origin_high += 2 * REAL_ROUNDING * fabs(s.origin_high);
     s.sign = low > 0 ? 1 : high < 0 ? -1 : 0;
@@ -215,41 +215,38 @@ INLINE Mask like_first(Vec direction, Mask active) { return active; }
 
 /* The nearest face in front of each active lane, leaving out the face that it leaves; of equal t the first in the file.
  * `alike` promises that the directions differ little. */
-static Nearest find_nearest(const Geometry *g, const Tree *tree, Vec origin, Vec direction, Mask active, Mask left,
-                            bool alike, Counters *counters)
+static Nearest find_nearest(const Geometry *g, const Tree *tree, Ray ray, Mask active, Mask left, bool alike,
+                            Counters *counters)
 {
     NearestQuery q;
-    q.line = line(origin, direction);
-    q.origin = vec_to_wide(origin);
-    q.direction = vec_to_wide(direction);
+    q.ray = ray;
+    q.line = line(vec_to_real(ray.origin), vec_to_real(ray.direction));
     q.left = left;
     q.nearest.t = (Wide)WIDE_MAX;
     q.nearest.face = q.nearest.index = (Mask)-1;
     q.nearest.with_normal = (Mask)0;
     for (Mask rest = active; ANY(rest); rest &= ~q.active) {
-        q.active = alike ? rest : like_first(direction, rest);
+        q.active = alike ? rest : like_first(q.line.direction, rest);
         walk_nearest(g, tree, &q, counters);
     }
     return q.nearest;
 }
 
 /* The active lanes whose segment from `origin` to `target` is blocked by a face strictly between the two. */
-static Mask find_blocked(const Geometry *g, const Tree *tree, Vec origin, const wide *target, Mask active, Mask left,
+static Mask find_blocked(const Geometry *g, const Tree *tree, WideVec origin, const wide *target, Mask active, Mask left,
                          Counters *counters)
 {
     BlockedQuery q;
-    q.origin = vec_to_wide(origin);
-    WideVec from_target = {q.origin.x - target[0], q.origin.y - target[1], q.origin.z - target[2]};
+    WideVec end = wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]);
+    q.ray.origin = origin;
+    q.ray.direction = wide_sub(end, origin);
     for (int axis = 0; axis < 3; axis++)
         q.target[axis] = target[axis];
-    Vec direction = vec_to_real(from_target);
-    q.line = line(vec((Lanes)(real)target[0], (Lanes)(real)target[1], (Lanes)(real)target[2]), direction);
-    q.settle.origin = origin;
-    q.settle.direction = direction;
+    q.line = line(vec_to_real(end), vec_to_real(wide_sub(origin, end)));
     q.left = left;
     q.blocked = (Mask)0;
     for (Mask rest = active; ANY(rest);) {
-        q.active = like_first(direction, rest);
+        q.active = like_first(q.line.direction, rest);
         rest &= ~q.active;
         walk_blocked(g, tree, &q, counters);
     }

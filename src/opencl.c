@@ -247,7 +247,7 @@ typedef struct CastArrays {
 static bool cast_arrays(CastArrays *arrays, const OpenclSession *session, const double *rays, long count, Error *error)
 {
     size_t values = (size_t)count * 6;
-    arrays->ray_bytes = session->precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float);
+    arrays->ray_bytes = session->wide_is_double ? sizeof(double) : sizeof(float);
     arrays->t_bytes = session->wide_is_double ? sizeof(double) : sizeof(float);
     arrays->rays = malloc(values * arrays->ray_bytes);
     arrays->faces = malloc((size_t)count * sizeof(cl_int));
@@ -255,7 +255,7 @@ static bool cast_arrays(CastArrays *arrays, const OpenclSession *session, const 
     if (!arrays->rays || !arrays->faces || !arrays->t)
         return error_memory(error, "the rays");
     for (size_t i = 0; i < values; i++)
-        if (session->precision == PRECISION_DOUBLE)
+        if (session->wide_is_double)
             ((double *)arrays->rays)[i] = rays[i];
         else
             ((float *)arrays->rays)[i] = (float)rays[i];

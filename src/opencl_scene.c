@@ -119,16 +119,21 @@ static void pack_material(Reals *materials, size_t row, const Material *material
     put(materials, row + MATERIAL_REFLECTION, material->reflection);
 }
 
+static void put_view(Reals *reals, int column, Vec3 value)
+{
+    put_vec3(reals, (size_t)column, value);
+    put_vec3(reals, (size_t)(VIEW_REALS + column), low_part(reals, value));
+}
+
 static void pack_view(Reals *reals, const Scene *scene)
 {
     View view = view_of(scene);
-    put_vec3(reals, VIEW_EYE, view.eye);
-    put_vec3(reals, VIEW_FORWARD, view.forward);
-    put_vec3(reals, VIEW_RIGHT, view.right);
-    put_vec3(reals, VIEW_UP, view.up);
-    put(reals, VIEW_WIDTH, view.width);
-    put(reals, VIEW_HEIGHT, view.height);
-    put_vec3(reals, VIEW_BACKGROUND, scene->shading.background);
+    put_view(reals, VIEW_EYE, view.eye);
+    put_view(reals, VIEW_FORWARD, view.forward);
+    put_view(reals, VIEW_RIGHT, view.right);
+    put_view(reals, VIEW_UP, view.up);
+    put_view(reals, VIEW_WIDTH, vec3(view.width, view.height, 0));
+    put_view(reals, VIEW_BACKGROUND, scene->shading.background);
 }
 
 bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Precision wide,
@@ -143,7 +148,7 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order
         !reals_allocate(&packed->planes, faces, PLANE_REALS, wide, error) ||
         !reals_allocate(&packed->materials, (size_t)scene->material_count, MATERIAL_REALS, precision, error) ||
         !reals_allocate(&packed->lights, (size_t)scene->light_count, LIGHT_REALS, precision, error) ||
-        !reals_allocate(&packed->view, 1, VIEW_REALS, precision, error))
+        !reals_allocate(&packed->view, 2, VIEW_REALS, precision, error))
         return false;
 
     for (int i = 0; i < scene->face_count; i++)
