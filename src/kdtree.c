@@ -111,12 +111,14 @@ static void build(Builder *builder, Job *job, VoxelPlaces *places, Part *part)
         add_leaf(part, job->voxel.faces, job->voxel.face_count);
         return;
     }
-    Job low = {.depth = job->depth + 1, .budget = 0};
+    Job low = {.depth = job->depth + 1};
+    low.budget = (int)((int64_t)job->budget * cut.low_count / (cut.low_count + cut.high_count));
     if (part->failed || !voxel_cut(&job->voxel, &cut, places, &low.voxel)) {
         part->failed = true;
         return;
     }
-    low.budget = (int)((int64_t)job->budget * cut.low_count / (cut.low_count + cut.high_count));
+    job->budget -= low.budget;
+    job->depth++;
     int node = add_node(part, (KdNode){.axis = cut.axis, .split = cut.position});
     build(builder, &low, places, part);
     voxel_free(&low.voxel);
@@ -124,8 +126,6 @@ static void build(Builder *builder, Job *job, VoxelPlaces *places, Part *part)
         return;
 
     part->nodes[node].first = part->node_count;
-    job->budget -= low.budget;
-    job->depth++;
     build(builder, job, places, part);
 }
 

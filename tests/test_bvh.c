@@ -1,0 +1,153 @@
+/* The bounding volume hierarchy: what every tree must be, and how good it is. */
+#include "bvh.h"
+
+#include "crowds.h"
+
+#include <string.h>
+
+enum { FACES = 3000, MAX_LEAF = 8 };
+
+static Error error;
+
+void setUp(void)
+{
+    error = (Error){.kind = ERROR_NONE};
+}
+void tearDown(void) {}
+
+static Bvh tree_of(const Scene *scene, int threads)
+{
+    Bvh bvh;
+    TEST_ASSERT_TRUE(bvh_build(&bvh, scene, threads, &error));
+    return bvh;
+}
+
+static bool box_holds(Box outer, Box inner)
+{
+    Box both = box_union(outer, inner);
+    return memcmp(&both, &outer, sizeof both) == 0;
+}
+
+/* Checks the subtree and counts each face that its leaves hold. */
+static void check_node(const Bvh *bvh, const Scene *scene, int index, int depth, int *seen)
+{
+    const BvhNode *node = &bvh->nodes[index];
+    TEST_ASSERT_TRUE(index >= 0 && index < 2 * bvh->face_count);
+    TEST_ASSERT_LESS_THAN_INT(BVH_MAX_DEPTH, depth);
+    TEST_ASSERT_LESS_OR_EQUAL_INT(MAX_LEAF, node->count);
+    for (int i = 0; i < node->count; i++) {
+        int face = bvh->order[node->first + i];
+        TEST_ASSERT_TRUE(i == 0 || face > bvh->order[node->first + i - 1]);
+        TEST_ASSERT_TRUE(box_holds(node->box, face_box(&scene->faces[face], &scene->planes[face])));
+        seen[face]++;
+    }
+    if (node->count > 0)
+        return;
+    TEST_ASSERT_TRUE(box_holds(node->box, bvh->nodes[index + 1].box));
+    TEST_ASSERT_TRUE(box_holds(node->box, bvh->nodes[node->first].box));
+    check_node(bvh, scene, index + 1, depth + 1, seen);
+    check_node(bvh, scene, node->first, depth + 1, seen);
+}
+
+static void each_face_should_be_in_one_leaf_and_in_all_boxes_above(void)
+{
+    for (int kind = 0; kind < CROWD_KINDS; kind++) {
+        Scene scene = crowd_scene((Crowd)kind, FACES, 17);
+        Bvh bvh = tree_of(&scene, 1);
+        int seen[FACES] = {0};
+        check_node(&bvh, &scene, 0, 0, seen);
+        for (int i = 0; i < FACES; i++)
+            TEST_ASSERT_EQUAL_INT(1, seen[i]);
+        bvh_free(&bvh);
+        scene_free(&scene);
+    }
+}
+
+static void one_face_should_be_a_leaf(void)
+{
+    Scene scene = crowd_scene(CROWD_QUADS, 1, 17);
+    Bvh bvh = tree_of(&scene, 2);
+    TEST_ASSERT_EQUAL_INT(1, bvh.nodes[0].count);
+    TEST_ASSERT_EQUAL_INT(0, bvh.order[0]);
+    bvh_free(&bvh);
+    bvh_free(&bvh);
+    scene_free(&scene);
+}
+
+static bool same_subtree(const Bvh *a, const Bvh *b, int index)
+{
+    const BvhNode *x = &a->nodes[index], *y = &b->nodes[index];
+    if (memcmp(x, y, sizeof *x) != 0)
+        return false;
+    if (x->count > 0)
+        return memcmp(a->order + x->first, b->order + x->first, (size_t)x->count * sizeof(int)) == 0;
+    return same_subtree(a, b, index + 1) && same_subtree(a, b, x->first);
+}
+
+static void the_tree_should_not_depend_on_the_threads(void)
+{
+    Scene scene = crowd_scene(CROWD_QUADS, 30000, 23);
+    Bvh one = tree_of(&scene, 1), many = tree_of(&scene, 5);
+    TEST_ASSERT_TRUE(same_subtree(&one, &many, 0));
+    bvh_free(&one);
+    bvh_free(&many);
+    scene_free(&scene);
+}
+
+/* --- How good it is: what a random line through the root costs, a box test a face test each --- */
+
+static double tree_cost(const Bvh *bvh, int index)
+{
+    const BvhNode *node = &bvh->nodes[index];
+    double area = box_half_area(node->box);
+    return node->count > 0 ? area * node->count : area + tree_cost(bvh, index + 1) + tree_cost(bvh, node->first);
+}
+
+static int sort_axis;
+
+static int compare_middles(const void *a, const void *b)
+{
+    const Box *x = a, *y = b;
+    float p = x->low[sort_axis] + x->high[sort_axis], q = y->low[sort_axis] + y->high[sort_axis];
+    return (p > q) - (p < q);
+}
+
+/* The same cost for a tree that halves the faces across the longest axis, down to four. */
+static double median_cost(Box *boxes, int count)
+{
+    Box all = box_empty();
+    for (int i = 0; i < count; i++)
+        all = box_union(all, boxes[i]);
+    if (count <= 4)
+        return box_half_area(all) * count;
+    float size[3];
+    for (int axis = 0; axis < 3; axis++)
+        size[axis] = all.high[axis] - all.low[axis];
+    sort_axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
+    qsort(boxes, (size_t)count, sizeof *boxes, compare_middles);
+    return box_half_area(all) + median_cost(boxes, count / 2) + median_cost(boxes + count / 2, count - count / 2);
+}
+
+static void the_heuristic_should_beat_halving(void)
+{
+    for (int kind = 0; kind < CROWD_EQUAL; kind++) {
+        Scene scene = crowd_scene((Crowd)kind, FACES, 29);
+        Bvh bvh = tree_of(&scene, 1);
+        static Box boxes[FACES];
+        for (int i = 0; i < FACES; i++)
+            boxes[i] = face_box(&scene.faces[i], &scene.planes[i]);
+        TEST_ASSERT_TRUE(tree_cost(&bvh, 0) <= 1.001 * median_cost(boxes, FACES));
+        bvh_free(&bvh);
+        scene_free(&scene);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(each_face_should_be_in_one_leaf_and_in_all_boxes_above);
+    RUN_TEST(one_face_should_be_a_leaf);
+    RUN_TEST(the_tree_should_not_depend_on_the_threads);
+    RUN_TEST(the_heuristic_should_beat_halving);
+    return UNITY_END();
+}
