@@ -7,27 +7,6 @@
  * epsilon each. More than twice that, and what this product rounds itself. */
 #define SLACK (4 * DBL_EPSILON)
 
-Box box_empty(void)
-{
-    return (Box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
-}
-
-Box box_union(Box a, Box b)
-{
-    for (int axis = 0; axis < 3; axis++) {
-        a.low[axis] = b.low[axis] < a.low[axis] ? b.low[axis] : a.low[axis];
-        a.high[axis] = b.high[axis] > a.high[axis] ? b.high[axis] : a.high[axis];
-    }
-    return a;
-}
-
-double box_half_area(Box box)
-{
-    double x = (double)box.high[0] - (double)box.low[0], y = (double)box.high[1] - (double)box.low[1];
-    double z = (double)box.high[2] - (double)box.low[2];
-    return x < 0 ? 0 : x * y + y * z + z * x;
-}
-
 Interval interval_common(Interval a, Interval b)
 {
     return (Interval){a.enter > b.enter ? a.enter : b.enter, a.leave < b.leave ? a.leave : b.leave};

@@ -39,12 +39,12 @@ typedef struct Split {
     double cost;   /* infinite where no split was found */
 } Split;
 
-/* Twice the middle of a box on an axis. */
-static double box_middle(const Box *box, int axis) { return (double)box->low[axis] + (double)box->high[axis]; }
+/* Twice the middle of a box on an axis; where it is rounded matters to no picture. */
+static float box_middle(const Box *box, int axis) { return box->low[axis] + box->high[axis]; }
 
 /* The range of the boxes' middles on each axis, and how to turn a middle into a bin. */
 typedef struct Binning {
-    double low[3], scale[3]; /* scale 0: all middles fall together */
+    float low[3], scale[3]; /* scale 0: all middles fall together */
 } Binning;
 
 static int bin_of(const Binning *binning, const Box *box, int axis)
@@ -55,16 +55,17 @@ static int bin_of(const Binning *binning, const Box *box, int axis)
 
 static Binning binning_of(const FaceBox *boxes, int count)
 {
+    Box middles = box_empty();
+    for (int i = 0; i < count; i++) {
+        const Box *box = &boxes[i].box;
+        float x = box_middle(box, 0), y = box_middle(box, 1), z = box_middle(box, 2);
+        box_grow(&middles, &(Box){{x, y, z}, {x, y, z}});
+    }
     Binning binning;
     for (int axis = 0; axis < 3; axis++) {
-        double low = DBL_MAX, high = -DBL_MAX;
-        for (int i = 0; i < count; i++) {
-            double middle = box_middle(&boxes[i].box, axis);
-            low = middle < low ? middle : low;
-            high = middle > high ? middle : high;
-        }
-        binning.low[axis] = low;
-        binning.scale[axis] = high > low ? BINS / (high - low) : 0;
+        float scale = (float)BINS / (middles.high[axis] - middles.low[axis]);
+        binning.low[axis] = middles.low[axis];
+        binning.scale[axis] = scale < FLT_MAX ? scale : 0;
     }
     return binning;
 }
@@ -81,14 +82,14 @@ static void try_axis(const Bin *bins, int axis, Split *best)
     Box box = box_empty();
     int count = 0;
     for (int i = BINS - 1; i > 0; i--) {
-        box = box_union(box, bins[i].box);
+        box_grow(&box, &bins[i].box);
         count += bins[i].count;
         right_cost[i] = box_half_area(box) * count;
     }
     box = box_empty();
     count = 0;
     for (int i = 0; i < BINS - 1; i++) {
-        box = box_union(box, bins[i].box);
+        box_grow(&box, &bins[i].box);
         count += bins[i].count;
         double cost = box_half_area(box) * count + right_cost[i + 1];
         if (cost < best->cost)
@@ -105,7 +106,7 @@ static Split best_split(const Binning *binning, const FaceBox *boxes, int count)
     for (int i = 0; i < count; i++)
         for (int axis = 0; axis < 3; axis++) {
             Bin *bin = &bins[axis][bin_of(binning, &boxes[i].box, axis)];
-            bin->box = box_union(bin->box, boxes[i].box);
+            box_grow(&bin->box, &boxes[i].box);
             bin->count++;
         }
     Split best = {.cost = HUGE_VAL};
@@ -179,7 +180,7 @@ static void build_subtree(Builder *builder, Task task, bool set_aside)
     FaceBox *boxes = builder->boxes + task.first;
     node->box = box_empty();
     for (int i = 0; i < task.count; i++)
-        node->box = box_union(node->box, boxes[i].box);
+        box_grow(&node->box, &boxes[i].box);
     int left = split_node(node, boxes, task.count, task.depth);
     if (left == 0) {
         make_leaf(builder, node, task);
