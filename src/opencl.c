@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BAND_BYTES = 32 << 20, FIRST_BAND_ROWS = 64, COUNTERS = COUNTER_STRIPES * COUNTER_STRIDE };
+/* PoCL compiles a kernel once more for launches of more than 65535 work-groups. */
+enum { BAND_BYTES = 32 << 20, BAND_ITEMS = 65535, FIRST_BAND_ROWS = 64, COUNTERS = COUNTER_STRIPES * COUNTER_STRIDE };
 
 #define BAND_MS 50.0 /* a band should take about this long: progress is smooth, an interrupt is soon obeyed */
 
@@ -162,6 +163,18 @@ static bool launch(OpenclSession *session, const Upload *on_device, cl_kernel ke
     return ok && add_counters(session, on_device, report, error);
 }
 
+/* A launch without work: some devices compile a kernel when it first runs, and that is no part of tracing. */
+static bool warm_up(OpenclSession *session, const Upload *on_device, cl_kernel kernel, Parameters parameters,
+                    RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    parameters.band_rows = 0;
+    parameters.ray_count = 0;
+    bool ok = write_launch(session, on_device, &parameters, error) && opencl_run(session, kernel, 1, error);
+    report->compile_ms += clock_ms() - start;
+    return ok;
+}
+
 /* The next band's height, from the last one's time: whole tiles, within the buffer. */
 static int next_band(int rows, int most, double ms)
 {
@@ -179,6 +192,8 @@ static bool render_bands(OpenclSession *session, const Scene *scene, const Uploa
     size_t row_bytes = (size_t)parameters.columns * 3;
     size_t tiles_across = (size_t)((parameters.columns + session->tile_columns - 1) / session->tile_columns);
     int band = FIRST_BAND_ROWS < most_rows ? FIRST_BAND_ROWS : most_rows;
+    if (!warm_up(session, on_device, kernel, parameters, report, error))
+        return false;
     for (int row = 0; row < parameters.rows; row += parameters.band_rows) {
         parameters.first_row = row;
         parameters.band_rows = band < parameters.rows - row ? band : parameters.rows - row;
@@ -193,10 +208,13 @@ static bool render_bands(OpenclSession *session, const Scene *scene, const Uploa
     return true;
 }
 
-/* The most rows of a band: whole tiles of at most BAND_BYTES in all, at least one tile. */
+/* The most rows of a band: whole tiles of at most BAND_BYTES and BAND_ITEMS in all, at least one tile. */
 static int band_limit(const OpenclSession *session, const Scene *scene)
 {
     int rows = BAND_BYTES / (scene->screen.columns * 3);
+    int tiles_across = (scene->screen.columns + session->tile_columns - 1) / session->tile_columns;
+    if (rows > BAND_ITEMS / tiles_across * session->tile_rows)
+        rows = BAND_ITEMS / tiles_across * session->tile_rows;
     if (rows > scene->screen.rows)
         rows = scene->screen.rows;
     rows = (rows + session->tile_rows - 1) / session->tile_rows * session->tile_rows;
