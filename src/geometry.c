@@ -90,7 +90,10 @@ static ExactVec3 diagonals_cross(ExactVec3 a, ExactVec3 b)
     Pair y = difference_of_products(a.high.z, b.high.x, a.high.x, b.high.z);
     Pair z = difference_of_products(a.high.x, b.high.y, a.high.y, b.high.x);
     Vec3 low = vec3_add(vec3_cross(a.low, b.high), vec3_cross(a.high, b.low));
-    return (ExactVec3){vec3(x.high, y.high, z.high), vec3(x.low + low.x, y.low + low.y, z.low + low.z)};
+    x = exact_sum(x.high, x.low + low.x);
+    y = exact_sum(y.high, y.low + low.y);
+    z = exact_sum(z.high, z.low + low.z);
+    return (ExactVec3){vec3(x.high, y.high, z.high), vec3(x.low, y.low, z.low)};
 }
 
 /* What rounding took from the quotient of high + low: the remainder of high / divisor is exact with fma. */
@@ -115,6 +118,12 @@ Plane face_plane(const Face *face)
     return plane;
 }
 
+/* How far arithmetic in twice the precision may be from N.x. */
+static double accurate_bound(const Plane *plane, Vec3 x)
+{
+    return (plane->error + 64 * ROUNDING * ROUNDING) * sum_of_magnitudes(x);
+}
+
 /* N.x as if computed in twice the precision (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005, algorithm 5.3),
  * and exactly where even that leaves less than 24 bits. The sign is always exact. */
 static Pair normal_dot_accurate(const Face *face, const Plane *plane, ExactVec3 x)
@@ -124,8 +133,7 @@ static Pair normal_dot_accurate(const Face *face, const Plane *plane, ExactVec3 
     Pair xy = exact_sum(xs.high, ys.high), xyz = exact_sum(xy.high, zs.high);
     double low = xy.low + xyz.low + (xs.low + ys.low + zs.low) + (vec3_dot(plane->normal_low, x.high) + vec3_dot(n, x.low));
     Pair value = exact_sum(xyz.high, low);
-    double bound = (plane->error + 64 * ROUNDING * ROUNDING) * sum_of_magnitudes(x.high);
-    if (fabs(value.high) > 0x1p24 * bound)
+    if (fabs(value.high) > 0x1p24 * accurate_bound(plane, x.high))
         return value;
     double exact = exact_determinant(x, face_diagonal(face, 0, 2), face_diagonal(face, 1, 3));
     return (Pair){exact / plane->length, 0};
@@ -135,7 +143,7 @@ static Pair normal_dot_accurate(const Face *face, const Plane *plane, ExactVec3 
 static double normal_dot(const Face *face, const Plane *plane, ExactVec3 x)
 {
     double value = vec3_dot(plane->normal, x.high);
-    if (fabs(value) > (plane->error + 6 * ROUNDING) * sum_of_magnitudes(x.high))
+    if (fabs(value) > (plane->error + 8 * ROUNDING) * sum_of_magnitudes(x.high))
         return value;
     return normal_dot_accurate(face, plane, x).high;
 }
@@ -164,8 +172,8 @@ int plane_side(const Face *face, const Plane *plane, Vec3 point)
     return (distance > 0) - (distance < 0);
 }
 
-/* det(R, a - O, b - O), its sign exact. The bound is that of Shewchuk's orient3d (1997, section 4.3) with one
- * more rounding for R. */
+/* det(R, a - O, b - O), its sign exact. Eight roundings meet in a term of the sum, as in Shewchuk's orient3d
+ * (1997, section 4.3); docs/algorithm.md counts them. */
 static double edge_determinant(Vec3 origin, ExactVec3 r, Vec3 a, Vec3 b)
 {
     Vec3 p = vec3_sub(a, origin), q = vec3_sub(b, origin), d = r.high;
@@ -264,11 +272,12 @@ FaceTest face_test_segment(const Face *face, const Plane *plane, Vec3 from, Vec3
 
 Vec3 point_shifted(const Face *face, const Plane *plane, Vec3 n, Vec3 point)
 {
-    double height = normal_dot_accurate(face, plane, from_vertex(face, point)).high;
+    ExactVec3 x = from_vertex(face, point);
+    double height = normal_dot_accurate(face, plane, x).high;
     if (vec3_dot(n, plane->normal) < 0)
         height = -height;
-    /* What rounding may take away: half an ulp of each coordinate of the sum, a few of the step. */
-    double margin = 2 * ROUNDING * sum_of_magnitudes(point) + 12 * ROUNDING * fabs(height);
+    /* What rounding may take away: half an ulp of each coordinate of the sum, a few of the step, what the height lacks. */
+    double margin = 2 * ROUNDING * sum_of_magnitudes(point) + 12 * ROUNDING * fabs(height) + accurate_bound(plane, x.high);
     margin = margin > 0x1p-100 ? margin : 0x1p-100;
     return vec3_add(point, vec3_scale(margin - height, n));
 }
