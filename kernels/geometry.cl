@@ -107,10 +107,11 @@ static WideVec from_vertex(global const FaceRecord *face, WideVec point)
     return d;
 }
 
-/* N.x in plain arithmetic. Its error is at most PLAIN_ERROR times the sum of x's magnitudes. */
+/* N.x in plain arithmetic. Its error is at most PLAIN_ERROR times the sum of x's magnitudes; in pairs, ACCURATE_ERROR. */
 static Wide normal_dot(const PlaneRow *plane, WideVec x) { return plane->x * x.x + plane->y * x.y + plane->z * x.z; }
 
-#define PLAIN_ERROR(plane) ((plane).error + 6 * WIDE_ROUNDING)
+#define PLAIN_ERROR(plane) ((plane).error + 8 * WIDE_ROUNDING)
+#define ACCURATE_ERROR(plane) ((plane).error + 64 * WIDE_ROUNDING * WIDE_ROUNDING)
 
 typedef struct WidePair {
     Wide high, low;
@@ -181,7 +182,7 @@ static WidePair normal_dot_accurate(const PlaneRow *plane, global const FaceReco
                ((plane->low_x * h.x + plane->low_y * h.y + plane->low_z * h.z) +
                 (plane->x * l.x + plane->y * l.y + plane->z * l.z));
     WidePair value = wide_sum(xyz.high, low);
-    Wide bound = (plane->error + 64 * WIDE_ROUNDING * WIDE_ROUNDING) * wide_magnitudes(h);
+    Wide bound = ACCURATE_ERROR(*plane) * wide_magnitudes(h);
     WideMask doubt = active & IS(fabs(value.high) <= WIDE_DOUBT * bound);
     if (ANY(TO_MASK(doubt))) {
         value.high = settle_dot(value.high, face, plane->length, x, doubt);

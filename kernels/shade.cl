@@ -26,10 +26,11 @@ static int first_of(Mask numbers, Mask mask)
 static WideVec point_shifted(const Geometry *g, int face, const PlaneRow *plane, WideVec n, WideMask with_normal, WideVec point)
 {
     global const FaceRecord *record = g->faces + face;
-    Wide height, doubt = (Wide)0;
+    Wide height, doubt;
     if (PLAIN_IS_POOR) {
         WidePairs x = from_vertex_exactly(record, point);
         height = normal_dot_accurate(plane, record, &x, (WideMask)-1).high;
+        doubt = ACCURATE_ERROR(*plane) * wide_magnitudes(x.high);
     } else {
         WideVec x = from_vertex(record, point);
         height = normal_dot(plane, x);
