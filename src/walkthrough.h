@@ -17,7 +17,7 @@ enum { WALK_HITS_TOLD = 8, WALK_NODES_TOLD = 48 };
 typedef struct WalkRequest {
     int column, row; /* in the picture */
     int i, j;        /* the sample that is told in full, in the grid; of the others only the colour is */
-    bool verbose;    /* every face tested and every node met is told, at some 300 bytes each */
+    bool verbose;    /* every face tested and every node met is told, at some 220 bytes each */
 } WalkRequest;
 
 /* In the list each ray's search begins with an EVENT_TALLY; events follow for those nodes and faces that are told. */
