@@ -8,6 +8,7 @@
 #include "options.h"
 
 bool command_render(const Options *options, Error *error);
+bool command_trace(const Options *options, Error *error);
 bool command_cast(const Options *options, Error *error);
 bool command_check(const Options *options, Error *error);
 bool command_compare(const Options *options, Error *error);

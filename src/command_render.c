@@ -7,6 +7,7 @@
 #include "progress.h"
 #include "reference_render.h"
 #include "scene_json.h"
+#include "scene_override.h"
 #include "stats.h"
 #include "text.h"
 
@@ -104,20 +105,6 @@ static bool render_scene(const Options *options, const Scene *scene, Stats *stat
     return done && stats_print(to_stdout ? stderr : stdout, options->stats, stats, error);
 }
 
-/* What the command line says instead of the scene. The screen's width and height stay: other numbers of columns and rows
- * cut the same view into other pixels. */
-static void override_scene(Scene *scene, const Options *options)
-{
-    if (options->columns > 0) {
-        scene->screen.columns = options->columns;
-        scene->screen.rows = options->rows;
-    }
-    if (options->grid > 0)
-        scene->grid = options->grid;
-    if (options->bounces >= 0)
-        scene->shading.max_bounces = options->bounces;
-}
-
 bool command_render(const Options *options, Error *error)
 {
     double start = clock_ms();
@@ -127,7 +114,7 @@ bool command_render(const Options *options, Error *error)
     Stats stats = stats_begin(&scene, options->backend, options->settings.precision);
     stats.parse_ms = clock_ms() - start;
     options_note_unused(options);
-    override_scene(&scene, options);
+    scene_override(&scene, options);
     bool done = render_scene(options, &scene, &stats, start, error);
     scene_free(&scene);
     return done;

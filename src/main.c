@@ -12,6 +12,7 @@
 /* To add a command, see command.h. The fields: name, operands, how few and how many of them, what it does. */
 static const Command commands[] = {
     {"render", "SCENE", 1, 1, "Renders a scene to a PNG picture.", command_render},
+    {"trace", "SCENE", 1, 1, "Tells step by step how a pixel gets its colour.", command_trace},
     {"cast", "SCENE", 1, 1, "Intersects rays with a scene: lines `ox oy oz dx dy dz` in, CSV out.", command_cast},
     {"check", "SCENE", 1, 1, "Validates a scene; tells what it holds, needs and can do without.", command_check},
     {"compare", "A.png B.png", 2, 2, "Measures how far two pictures differ.", command_compare},

@@ -100,6 +100,32 @@ static bool set_size(Options *o, const char *value)
     return x && read_int(x + 1, 1, SCENE_MAX_PIXELS, '\0', &o->rows);
 }
 
+/* "COLUMN,ROW": two whole numbers below `limit`. */
+static bool read_pair(const char *value, int limit, int *column, int *row)
+{
+    const char *comma = read_int(value, 0, limit - 1, ',', column);
+    return comma && read_int(comma + 1, 0, limit - 1, '\0', row);
+}
+
+static bool set_pixel(Options *o, const char *value)
+{
+    o->pixel_given = true;
+    return read_pair(value, SCENE_MAX_PIXELS, &o->pixel_column, &o->pixel_row);
+}
+
+static bool set_sample(Options *o, const char *value)
+{
+    return read_pair(value, SCENE_MAX_GRID, &o->sample_i, &o->sample_j);
+}
+
+static bool set_format(Options *o, const char *value)
+{
+    static const char *const words[] = {"text", "json", "obj", "svg", NULL};
+    int index = word_index(value, words);
+    o->format = (WalkFormat)index;
+    return index >= 0;
+}
+
 static bool set_grid(Options *o, const char *value)
 {
     return read_int(value, 1, SCENE_MAX_GRID, '\0', &o->grid);
@@ -148,6 +174,18 @@ static bool set_seed(Options *o, const char *value)
     return read_int(value, 0, 2147483647, '\0', &o->seed);
 }
 
+static bool set_verbose(Options *o, const char *value)
+{
+    (void)value;
+    return o->verbose = true;
+}
+
+static bool set_with_scene(Options *o, const char *value)
+{
+    (void)value;
+    return o->with_scene = true;
+}
+
 static bool set_geometry(Options *o, const char *value)
 {
     (void)value;
@@ -175,18 +213,26 @@ static bool set_version(Options *o, const char *value)
 /* --- The table, in the order of --help --- */
 
 const Option option_table[] = {
-    {"output", 'o', "FILE", "render compare generate", set_output, "the name of a file, or - for standard output",
-     "write the picture or scene there; - is standard output"},
-    {"size", 's', "COLUMNSxROWS", "render", set_size, "two whole numbers from 1 to 16384, such as 640x480",
+    {"output", 'o', "FILE", "render trace compare generate", set_output, "the name of a file, or - for standard output",
+     "write the output there; - is standard output"},
+    {"size", 's', "COLUMNSxROWS", "render trace", set_size, "two whole numbers from 1 to 16384, such as 640x480",
      "pixels of the picture, instead of the scene's"},
-    {"grid", 'g', "N", "render", set_grid, "a whole number from 1 to 16",
+    {"grid", 'g', "N", "render trace", set_grid, "a whole number from 1 to 16",
      "N x N rays per pixel, instead of the scene's"},
-    {"bounces", 0, "N", "render", set_bounces, "a whole number from 0 to 64",
+    {"bounces", 0, "N", "render trace", set_bounces, "a whole number from 0 to 64",
      "at most N reflected rays in a row, instead of the scene's"},
     {"size", 0, "N", "generate", set_scene_size, "a whole number from 1 to 1000000",
      "menger: steps; city: boxes; grid: quads along a side"},
     {"seed", 0, "N", "generate", set_seed, "a whole number from 0 to 2147483647",
      "another number, another scene of that kind (default 0)"},
+    {"pixel", 0, "COLUMN,ROW", "trace", set_pixel, "two whole numbers, such as 320,240",
+     "the pixel to tell; 0,0 is the one at the top left"},
+    {"sample", 0, "I,J", "trace", set_sample, "two whole numbers from 0 to 15, such as 0,1",
+     "the sample to tell, of a pixel that has several (default 0,0)"},
+    {"format", 'f', "NAME", "trace", set_format, "text, json, obj or svg",
+     "text (default); json: every number; obj: for a 3D viewer; svg: a drawing"},
+    {"verbose", 'v', NULL, "trace", set_verbose, NULL, "tell every face that was tested (text, json)"},
+    {"with-scene", 0, NULL, "trace", set_with_scene, NULL, "write the scene's faces, too (obj)"},
     {"rays", 'r', "FILE", "cast", set_rays, "the name of a file, or - for standard input",
      "read the rays there instead of from standard input"},
     {"geometry", 0, NULL, "check", set_geometry, NULL, "print every face as it is traced, exactly"},
@@ -198,7 +244,7 @@ const Option option_table[] = {
      "the OpenCL device, as `rectray devices` numbers them"},
     {"precision", 'p', "NAME", "render cast", set_precision, "float or double",
      "of the OpenCL kernel: float (default) or double"},
-    {"accel", 'a', "NAME", "render cast", set_accel, "auto, none, kdtree or bvh",
+    {"accel", 'a', "NAME", "render trace cast", set_accel, "auto, none, kdtree or bvh",
      "auto (default), none, kdtree or bvh: how to find faces"},
     {"lanes", 0, "N", "render cast", set_lanes, "1, 4, 8 or 16", "rays that an OpenCL work-item traces: 1, 4, 8 or 16"},
     {"threads", 't', "N", "render", set_threads, "a whole number from 1 to 1024", "processors to use (default: all)"},

@@ -8,6 +8,9 @@
 
 enum { MAX_OPERANDS = 16 };
 
+/* What a walkthrough can be printed as; the words are in option_table.c. */
+typedef enum WalkFormat { WALK_TEXT, WALK_JSON, WALK_OBJ, WALK_SVG } WalkFormat;
+
 /* What the user asked for. The strings are those of argv. */
 typedef struct Options {
     const char *operands[MAX_OPERANDS]; /* scenes, the pictures to compare, a kind of scene */
@@ -21,10 +24,12 @@ typedef struct Options {
     int bounces;          /* -1: as the scene says */
     int tolerance;        /* of 255 */
     int scene_size, seed; /* of a generated scene; size 0: not given */
+    int pixel_column, pixel_row, sample_i, sample_j; /* of the walkthrough */
+    WalkFormat format;
     StatsFormat stats;
     ProgressMode progress;
-    bool precision_given;
-    bool quiet, geometry, help, version;
+    bool precision_given, pixel_given;
+    bool quiet, geometry, verbose, with_scene, help, version;
 } Options;
 
 typedef struct Option {

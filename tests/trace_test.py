@@ -1,0 +1,427 @@
+#!/usr/bin/env python3
+"""`rectray trace` from outside: its JSON keeps to the schema and holds all that a pixel's colour is made of, its OBJ and
+SVG are read back, and every mistake gets its message and its exit status."""
+import glob
+import json
+import math
+import os
+import pty
+import re
+import struct
+import unittest
+import xml.etree.ElementTree
+import zlib
+
+import jsonschema
+
+from program import PROGRAM, CommandTest
+
+HERE = os.getcwd()
+SCENES = sorted(glob.glob(os.path.join(HERE, "tests/scenes/walkthrough/*.json")))
+
+
+def png_pixels(data):
+    """The rows of an 8-bit RGB picture, by the PNG specification, section 9."""
+    columns, rows = struct.unpack(">II", data[16:24])
+    raw, at = b"", 8
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        raw += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
+        at += length + 12
+    raw, stride, picture, above = zlib.decompress(raw), 3 * columns, [], bytes(3 * columns)
+    for row in range(rows):
+        start = row * (stride + 1)
+        kind, line = raw[start], bytearray(raw[start + 1:start + 1 + stride])
+        for i in range(stride):
+            left, up, corner = (line[i - 3], above[i], above[i - 3]) if i >= 3 else (0, above[i], 0)
+            estimate = left + up - corner
+            paeth = min((abs(estimate - left), 0, left), (abs(estimate - up), 1, up), (abs(estimate - corner), 2, corner))[2]
+            line[i] = (line[i] + (0, left, up, (left + up) // 2, paeth)[kind]) % 256
+        picture.append([tuple(line[i:i + 3]) for i in range(0, stride, 3)])
+        above = line
+    return picture
+
+
+# --- Vectors ---
+
+def add(a, b):
+    return [x + y for x, y in zip(a, b)]
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def times(s, a):
+    return [s * x for x in a]
+
+
+def filtered(a, b):
+    return [x * y for x, y in zip(a, b)]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def unit(a):
+    length = math.sqrt(dot(a, a))
+    return [x / length for x in a] if length > 0 else a
+
+
+class Story:
+    """Makes the colour anew from what the JSON says of camera, faces, lights and materials, and holds every sum,
+    product and direction on the way against what it says of those."""
+
+    def __init__(self, document, test):
+        self.test = test
+        self.scene = document["scene"]
+        self.close = max(1e-12, 1e-15 * max(map(abs, self.scene["centre"])))  # positions are rounded in the file's coordinates
+        samples, self.told = [], False
+        for event in document["events"]:
+            handler = getattr(self, event["event"].replace(" ", "_"), None)
+            if event["event"] == "sample":
+                self.told = event["told"]
+            if event["event"] == "path end":
+                samples.append(self.total if self.told else event["colour"])
+            if handler and (self.told or event["event"] == "pixel"):
+                handler(event)
+        average = [sum(sample[k] for sample in samples) / len(samples) for k in range(3)]
+        self.rgb = [math.floor(255 * min(max(c, 0), 1) + 0.5) for c in average]
+        self.near(average, document["events"][-1]["average"])
+        test.assertEqual(len(samples), self.scene["grid"] ** 2)
+
+    def near(self, a, b, tolerance=1e-9):
+        for x, y in zip(a, b):
+            self.test.assertLessEqual(abs(x - y), (tolerance + self.close * 1e3) * max(1, abs(y)))
+
+    def sample(self, event):
+        r = add(add(event["distance_f"], times(event["x"], self.scene["r"])), times(event["y"], self.scene["u"]))
+        self.near(r, event["r"])
+        self.near(minus(event["q"], event["c"]), event["r"])
+        self.total, self.weight = [0, 0, 0], 1
+        self.origin, self.direction = event["c"], event["r"]
+
+    def hit(self, event):
+        self.n, self.point, self.illumination = event["normal"], event["point"], [0, 0, 0]
+        v = event["vertices"]
+        self.v0 = v[0]
+        last = v[3] if len(v) == 4 else v[0]
+        a, b = minus(v[2], v[0]), minus(last, v[1])
+        plane = unit([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+        self.near(plane, event["plane_normal"], 1e-6)
+        n = event["plane_normal"]
+        self.near([dot(n, self.direction)], [event["n_dot_r"]])
+        self.near([dot(n, minus(self.origin, v[0]))], [event["n_dot_o_plus_d"]], 1e-8)
+        self.near([-event["n_dot_o_plus_d"] / event["n_dot_r"]], [event["t"]], 1e-7)
+        self.near(add(self.origin, times(event["t"], self.direction)), self.point)
+        for edge, value, sign in zip(event["edges"], event["edge_values"], event["edge_signs"]):
+            e, c = edge["e"], edge["c"]
+            cross = [e[1] * c[2] - e[2] * c[1], e[2] * c[0] - e[0] * c[2], e[0] * c[1] - e[1] * c[0]]
+            self.near([dot(n, cross)], [value], 1e-7)
+            self.test.assertEqual(sign, (value > 0) - (value < 0))
+            self.test.assertGreaterEqual(sign, 0)
+
+    def light(self, event):
+        self.near(unit(minus(event["position"], self.point)), event["l"])
+        self.near([dot(self.n, minus(event["position"], self.v0))], [event["height"]], 1e-6)
+
+    def terms(self, event):
+        l, v, n = event["l"], event["v"], self.n
+        viewer = minus(self.scene["camera"], self.point) if self.scene["viewer"] == "camera" else times(-1, self.direction)
+        self.near(unit(viewer), v)
+        h = unit(add(l, v))
+        shine = max(dot(n, h), 0) ** (event["shininess"] / 4)
+        parts = [filtered(event["ka"], event["ia"])]
+        if not event["ambient_only"]:
+            parts.append(times(max(dot(l, n), 0), filtered(event["kd"], event["id"])))
+            parts.append(times(shine, filtered(event["ks"], event["is"])))
+        for part in parts:
+            self.illumination = add(self.illumination, part)
+
+    def shaded(self, event):
+        self.near(self.illumination, event["illumination"])
+        self.near([self.weight], [event["weight"]])
+        self.total = add(self.total, times(self.weight, self.illumination))
+        self.near(self.total, event["total"])
+
+    def reflected(self, event):
+        r = unit(self.direction)
+        self.direction = minus(r, times(2 * dot(r, self.n), self.n))
+        self.near(self.direction, event["direction"])
+        self.direction, self.origin = event["direction"], event["origin"]
+        self.weight *= event["reflection"]
+
+    def miss(self, event):
+        self.total = add(self.total, times(self.weight, self.scene["background"]))
+
+
+class Json(CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        with open("docs/walkthrough.schema.json", encoding="utf-8") as file:
+            schema = json.load(file)
+        jsonschema.Draft202012Validator.check_schema(schema)
+        cls.validator = jsonschema.Draft202012Validator(schema)
+
+    def trace(self, scene, column, row, *words):
+        out, _ = self.run_program("trace", scene, "--pixel", f"{column},{row}", "--format", "json", *words)
+        return json.loads(out)
+
+    def test_the_json_alone_makes_the_pixel_of_the_picture(self):
+        for scene in SCENES:
+            self.run_program("render", scene, "--backend", "reference", "-o", "a.png", "--quiet")
+            picture = png_pixels(self.bytes_of("a.png"))
+            size = len(picture) * len(picture[0])
+            for k in range(0, size, 1 + size // 40):
+                row, column = divmod(k, len(picture[0]))
+                with self.subTest(f"rectray trace {scene} --pixel {column},{row} --format json"):
+                    document = self.trace(scene, column, row, *(["--verbose"] if k % 2 else []))
+                    self.assertEqual(tuple(Story(document, self).rgb), picture[row][column])
+                    self.assertEqual(tuple(document["events"][-1]["rgb"]), picture[row][column])
+
+    def test_it_keeps_to_the_schema(self):
+        for scene in SCENES:
+            for words in ((), ("--verbose", "--accel", "bvh"), ("--verbose", "--accel", "kdtree")):
+                for pixel in ((0, 0), (1, 1), (10, 11)):
+                    if pixel[0] > 1 and not re.search("black|ambient", scene):
+                        continue
+                    errors = list(self.validator.iter_errors(self.trace(scene, *pixel, *words)))
+                    self.assertEqual([error.message for error in errors], [])
+
+    def test_the_schema_refuses_what_it_does_not_describe(self):
+        document = self.trace(SCENES[1], 3, 12, "--verbose", "--accel", "bvh")
+        events = {event["event"]: event for event in document["events"]}
+        self.assertGreater(len(events), 10)
+        for kind, event in events.items():
+            for change in ("none", "less", "more", "other"):
+                broken = dict(event)
+                if change == "less":
+                    del broken["event"]
+                if change == "more":
+                    broken["no such member"] = 1
+                if change == "other":
+                    broken["event"] = "hits"
+                some = {**document, "events": [document["events"][0], broken, document["events"][-1]]}
+                self.assertEqual(self.validator.is_valid(some), change == "none", (kind, change))
+
+    def test_every_number_keeps_17_digits(self):
+        out, _ = self.run_program("trace", SCENES[0], "--pixel", "7,5", "--format", "json")
+        numbers = re.findall(r"[-+]?\d+\.\d+(?:e[-+]?\d+)?", out.decode())
+        self.assertGreater(len(numbers), 50)
+        for number in numbers:
+            self.assertEqual("%.17g" % float(number), number)
+
+
+class Drawings(CommandTest):
+    def test_the_obj_names_vertices_that_are_there(self):
+        for scene in SCENES:
+            out, _ = self.run_program("trace", scene, "--pixel", "1,1", "--format", "obj", "--with-scene")
+            vertices, groups = 0, set()
+            for line in out.decode().splitlines():
+                word, _, rest = line.partition(" ")
+                if word == "v":
+                    self.assertTrue(all(math.isfinite(float(x)) for x in rest.split()))
+                    self.assertEqual(len(rest.split()), 3)
+                    vertices += 1
+                elif word in ("l", "f"):
+                    indices = [int(x) for x in rest.split()]
+                    self.assertEqual(len(indices) == 2, word == "l")
+                    self.assertTrue(all(1 <= k <= vertices for k in indices))
+                elif word == "g":
+                    groups.add(rest)
+                else:
+                    self.assertIn(word, ("#", "usemtl"))
+            self.assertTrue(any(name.startswith("primary") for name in groups), groups)
+
+    def test_the_obj_shows_the_path_of_the_json(self):
+        words = ("trace", SCENES[1], "--pixel", "3,12", "--format")
+        out, _ = self.run_program(*words, "obj")
+        events = json.loads(self.run_program(*words, "json")[0])["events"]
+        lines = out.decode().splitlines()
+
+        def ends(group):
+            at = lines.index("g " + group)
+            return [[float(x) for x in line.split()[1:]] for line in lines[at + 1:at + 3]]
+
+        hits = [event for event in events if event["event"] == "hit"]
+        self.assertGreater(len(hits), 1)
+        self.assertEqual(ends("primary"), [events[0]["c"], hits[0]["point"]])
+        self.assertEqual(ends("reflected_to_P2"), [hits[0]["shifted"], hits[1]["point"]])
+        for k, hit in enumerate(hits, 1):
+            self.assertEqual(ends(f"shifted_P{k}"), [hit["point"], hit["shifted"]])
+            self.assertEqual(ends(f"normal_P{k}")[0], hit["point"])
+        step = 0
+        for i, event in enumerate(events):
+            step = event.get("step", step)
+            if event["event"] == "light end" and event["verdict"] != "behind face":
+                light = [e for e in events[:i] if e["event"] == "light"][-1]
+                blocked = "_blocked" if event["verdict"] == "blocked" else ""
+                self.assertEqual(ends(f"shadow_P{step}_light_{event['light']}{blocked}"),
+                                 [light["shadow_origin"], light["position"]])
+
+    def test_the_scene_in_the_obj_is_the_scene(self):
+        self.run_program("trace", SCENES[1], "--pixel", "1,1", "--format", "obj", "--with-scene", "-o", "scene.obj")
+        with open(SCENES[1], encoding="utf-8") as file:
+            scene = json.load(file)
+        scene["objects"] = [{"name": "all", "material": "matt", "obj": "scene.obj"}]
+        self.put("again.json", json.dumps(scene))
+
+        def faces(path):
+            rows = self.run_program("check", path, "--geometry")[0].decode().splitlines()
+            return [re.findall(r"[-+]?0x\S+", row)[-12:] for row in rows if row.startswith("face ")]
+
+        original = faces(SCENES[1])
+        self.assertGreater(len(original), 5)
+        self.assertEqual(faces("again.json"), original)
+
+    def test_the_svg_is_well_formed_and_shows_two_titled_views(self):
+        for scene in SCENES:
+            for pixel in ("0,0", "1,1"):
+                out, _ = self.run_program("trace", scene, "--pixel", pixel, "--format", "svg")
+                root = xml.etree.ElementTree.fromstring(out)
+                name = "{http://www.w3.org/2000/svg}"
+                self.assertEqual(root.tag, name + "svg")
+                titles = [e.text for e in root.iter(name + "text") if e.get("class") == "title"]
+                self.assertEqual(len(set(titles)), 2)
+                self.assertTrue(all(title.startswith("seen from") for title in titles))
+                labels = [e.text for e in root.iter(name + "text") if e.get("class") == "label"]
+                self.assertTrue(any("C" in label for label in labels))
+                self.assertNotIn(b"nan", out)
+
+    def test_the_svg_says_names_in_xml(self):
+        with open(self.path("scene.json"), encoding="utf-8") as file:
+            scene = json.load(file)
+        scene["objects"][0]["name"] = "<tile> & 'pane' \"1\""
+        self.put("odd <&> name.json", json.dumps(scene))
+        out, _ = self.run_program("trace", "odd <&> name.json", "--pixel", "4,3", "--format", "svg")
+        text = " ".join(e.text or "" for e in xml.etree.ElementTree.fromstring(out).iter())
+        self.assertIn("odd <&> name.json", text)
+        self.assertIn("<tile> & 'pane' \"1\"/0", text)
+
+    def test_blocked_shadow_rays_are_dashed(self):
+        for row in range(15):
+            events = json.loads(self.run_program("trace", SCENES[1], "--pixel", f"8,{row}", "--format", "json")[0])["events"]
+            blocked = sum(event.get("verdict") == "blocked" for event in events)
+            svg = self.run_program("trace", SCENES[1], "--pixel", f"8,{row}", "--format", "svg")[0].decode()
+            self.assertEqual(svg.count("<path class='blocked' d='M"), 2 * blocked + 1)  # two views and the legend
+        self.assertIn("stroke-dasharray", svg)
+
+
+class Options(CommandTest):
+    def test_the_scene_can_be_overridden_as_in_render(self):
+        words = ("--size", "4x4", "--grid", "2", "--bounces", "0")
+        self.render("-o", "a.png", *words)
+        picture = png_pixels(self.bytes_of("a.png"))
+        for sample in ("0,0", "1,1"):
+            out, _ = self.run_program("trace", "scene.json", "--pixel", "2,1", "--sample", sample, *words)
+            self.assertEqual(out.decode().splitlines()[-1], f"Pixel (2, 1) = {picture[1][2]}")
+            self.assertIn(f"sample ({sample.replace(',', ', ')})", out.decode())
+
+    def test_verbose_lists_every_face(self):
+        out, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12", "--verbose")
+        short, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12")
+        self.assertGreater(len(out.splitlines()), len(short.splitlines()) + 150)
+        for verdict in ("behind", "outside edge", "beyond light", "nearest", "left by ray"):
+            self.assertIn(verdict, out.decode())
+
+    def test_a_tree_is_told_where_one_is_asked_for(self):
+        for accel in ("bvh", "kdtree"):
+            out, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12", "--accel", accel)
+            self.assertIn("tree nodes met", out.decode())
+            every, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12", "--accel", accel, "--verbose")
+            self.assertRegex(every.decode(), r"node \d+, entered, a leaf of \d+ face")
+            plain, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12")
+            self.assertEqual(out.splitlines()[-1], plain.splitlines()[-1])
+            self.assertNotIn("node", plain.decode())
+
+    def test_a_file_gets_what_standard_output_would(self):
+        for form in ("text", "json", "obj", "svg"):
+            out, err = self.run_program("trace", "scene.json", "--pixel", "4,3", "--format", form)
+            self.assertEqual(err, "")
+            self.run_program("trace", "scene.json", "--pixel", "4,3", "-f", form, "-o", "walk")
+            self.assertEqual(self.bytes_of("walk"), out)
+
+    def test_colour_is_for_terminals_that_want_it(self):
+        def on_terminal(**changes):
+            environment = {key: value for key, value in os.environ.items() if key not in ("NO_COLOR", "TERM")}
+            master, slave = pty.openpty()
+            process = self.start("trace", "scene.json", "--pixel", "4,3", stdout=slave, env={**environment, **changes})
+            os.close(slave)
+            out = b""
+            while True:
+                try:
+                    block = os.read(master, 65536)
+                except OSError:  # Linux: the other end is closed
+                    break
+                if not block:
+                    break
+                out += block
+            os.close(master)
+            process.stderr.close()
+            self.assertEqual(process.wait(), 0)
+            return out
+
+        self.assertIn(b"\033[", on_terminal(TERM="xterm"))
+        self.assertIn(b"\033[", on_terminal(TERM="xterm", NO_COLOR=""))
+        self.assertNotIn(b"\033", on_terminal(TERM="xterm", NO_COLOR="1"))
+        self.assertNotIn(b"\033", on_terminal(TERM="dumb"))
+        self.assertNotIn(b"\033", self.run_program("trace", "scene.json", "--pixel", "4,3")[0])
+
+
+class Mistakes(CommandTest):
+    def assert_usage(self, message, *words):
+        out, err = self.run_program("trace", "scene.json", *words, status=2)
+        self.assertEqual(out, b"")
+        self.assertIn(message, err)
+        self.assertEqual(err.count("\n"), 1)
+
+    def test_a_pixel_must_be_given_and_be_in_the_picture(self):
+        self.assert_usage("trace needs --pixel COLUMN,ROW")
+        self.assert_usage("--pixel 8,0 is outside the picture, whose pixels are 0,0 to 7,5", "--pixel", "8,0")
+        self.assert_usage("--pixel 0,6 is outside the picture", "--pixel", "0,6")
+        for value in ("1", "1,", ",1", "1,2,3", "-1,0", "1x2", "a,b", "", " 1,2", "99999,0"):
+            self.assert_usage(f"--pixel '{value}': expected two whole numbers", f"--pixel={value}")
+
+    def test_a_sample_must_be_in_the_grid(self):
+        self.assert_usage("--sample 1,0 is outside the grid, whose samples are 0,0 to 0,0", "--pixel", "1,1", "--sample", "1,0")
+        self.assert_usage("--sample 0,2 is outside the grid, whose samples are 0,0 to 1,1", "--pixel", "1,1", "--grid", "2",
+                          "--sample", "0,2")
+
+    def test_a_format_must_be_one_there_is(self):
+        self.assert_usage("--format 'xml': expected text, json, obj or svg", "--pixel", "1,1", "--format", "xml")
+
+    def test_an_option_that_the_format_cannot_use_is_told(self):
+        _, err = self.run_program("trace", "scene.json", "--pixel", "1,1", "--with-scene")
+        self.assertIn("--with-scene does nothing with --format text", err)
+        _, err = self.run_program("trace", "scene.json", "--pixel", "1,1", "--format", "svg", "--verbose")
+        self.assertIn("--verbose does nothing with --format svg", err)
+
+    def test_a_file_that_cannot_be_written_is_3(self):
+        os.mkdir(self.path("folder"))
+        for form in ("text", "json", "obj", "svg"):
+            for output in ("folder", "missing/a", "scene.json/a"):
+                _, err = self.run_program("trace", "scene.json", "--pixel", "1,1", "-f", form, "-o", output, status=3)
+                self.assertIn(f"cannot write {output}: ", err)
+        if os.path.exists("/dev/full"):
+            _, err = self.run_program("trace", "scene.json", "--pixel", "1,1", "-o", "/dev/full", status=3)
+            self.assertIn("cannot write /dev/full: No space left", err)
+            with open("/dev/full", "wb") as full:
+                _, err = self.run_program("trace", "scene.json", "--pixel", "1,1", status=3, stdout=full)
+            self.assertIn("cannot write to standard output: ", err)
+
+    def test_the_scene_is_not_overwritten(self):
+        before = self.bytes_of("scene.json")
+        self.assert_usage("would replace the scene itself", "--pixel", "1,1", "-o", "scene.json")
+        self.assertEqual(self.bytes_of("scene.json"), before)
+
+    def test_a_scene_that_is_wrong_is_1(self):
+        self.put("bad.json", "{")
+        for scene in ("bad.json", "missing.json"):
+            out, err = self.run_program("trace", scene, "--pixel", "0,0", status=1)
+            self.assertEqual(out, b"")
+            self.assertTrue(err.startswith(scene))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
