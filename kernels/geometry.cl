@@ -274,18 +274,12 @@ INLINE void cross_planes(Interval *interval, wide low, wide high, Wide origin, W
     interval->leave = leave < interval->leave ? leave : interval->leave;
 }
 
-/* Where each ray is in the box of the face's vertices. */
-static Interval interval_in_box(global const FaceRecord *face, WideVec origin, WideVec direction)
+/* Where each ray is in the face's box. */
+static Interval interval_in_box(global const FaceRecord *face, const Ray *ray)
 {
-    wide low[3], high[3];
-    for (int axis = 0; axis < 3; axis++) {
-        float a = face->vertices[axis], b = face->vertices[3 + axis], c = face->vertices[6 + axis], d = face->vertices[9 + axis];
-        low[axis] = (wide)fmin(fmin(a, b), fmin(c, d));
-        high[axis] = (wide)fmax(fmax(a, b), fmax(c, d));
-    }
     Interval interval = {(Wide)0, (Wide)WIDE_MAX};
-    cross_planes(&interval, low[0], high[0], origin.x, direction.x);
-    cross_planes(&interval, low[1], high[1], origin.y, direction.y);
-    cross_planes(&interval, low[2], high[2], origin.z, direction.z);
+    cross_planes(&interval, (wide)face->box[0], (wide)face->box[1], ray->origin.x, ray->direction.x);
+    cross_planes(&interval, (wide)face->box[2], (wide)face->box[3], ray->origin.y, ray->direction.y);
+    cross_planes(&interval, (wide)face->box[4], (wide)face->box[5], ray->origin.z, ray->direction.z);
     return interval;
 }

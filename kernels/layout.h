@@ -11,7 +11,9 @@ typedef struct FaceRecord {
     int material;
     int front_only; /* 1: rays from behind the normal pass */
     int index;      /* the face's place in the scene; on the device, faces stand in the order of the tree's leaves */
-    int flat;       /* 1: across an axis, so that its box is the face itself */
+    int flat;       /* 1: across an axis, so that every hit is in its box */
+    float box[6];   /* of face_box: low x, high x, low y, ... */
+    int padding[2];
 } FaceRecord;
 
 /* What stays the same over a launch, but for the band. */

@@ -8,6 +8,7 @@ typedef struct Counters {
 /* The nearest face so far, lane by lane. */
 typedef struct Nearest {
     Wide t;
+    Wide t_in_box;    /* t, or the nearest t at which the ray is in the face's box; it decides what is nearest */
     Mask face;        /* its place in the device's order, -1: none */
     Mask index;       /* its place in the scene's order, which decides between equal t */
     Mask with_normal; /* N.R > 0: the ray came from behind the normal */
@@ -44,18 +45,20 @@ static bool ask_nearest(const Geometry *g, NearestQuery *q, int i)
     PlaneHit hit = plane_hit(g, i, &q->ray.origin, &q->ray.direction, TO_WIDE_MASK(edges.may));
     /* The edges have told the sign of N.R. */
     WideMask ahead = TO_WIDE_MASK(edges.with_normal) ? IS(hit.distance < (Wide)0) : IS(hit.distance > (Wide)0);
+    Wide t_in_box = hit.t;
     if (!g->faces[i].flat) {
-        /* Where the ray grazes the face, rounding must not put the hit outside the face's box. */
-        Interval in_box = interval_in_box(g->faces + i, q->ray.origin, q->ray.direction);
+        Interval in_box = interval_in_box(g->faces + i, &q->ray);
         ahead &= IS(in_box.enter <= in_box.leave);
-        hit.t = hit.t < in_box.enter ? in_box.enter : hit.t;
-        hit.t = hit.t > in_box.leave ? in_box.leave : hit.t;
+        t_in_box = t_in_box < in_box.enter ? in_box.enter : t_in_box;
+        t_in_box = t_in_box > in_box.leave ? in_box.leave : t_in_box;
     }
     Mask index = (Mask)g->faces[i].index;
-    WideMask first = IS(hit.t == q->nearest.t) & TO_WIDE_MASK(IS(index < q->nearest.index));
-    WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(hit.t <= (Wide)WIDE_MAX) & (IS(hit.t < q->nearest.t) | first);
+    WideMask first = IS(t_in_box == q->nearest.t_in_box) & TO_WIDE_MASK(IS(index < q->nearest.index));
+    WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(hit.t <= (Wide)WIDE_MAX) &
+                      (IS(t_in_box < q->nearest.t_in_box) | first);
     Mask take = TO_MASK(nearer);
     q->nearest.t = nearer ? hit.t : q->nearest.t;
+    q->nearest.t_in_box = nearer ? t_in_box : q->nearest.t_in_box;
     q->nearest.face = take ? (Mask)i : q->nearest.face;
     q->nearest.index = take ? index : q->nearest.index;
     q->nearest.with_normal = take ? edges.with_normal : q->nearest.with_normal;
@@ -77,7 +80,7 @@ static bool ask_blocked(const Geometry *g, BlockedQuery *q, int i)
     WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
     WideMask between = end < 0 ? before : end > 0 && !g->faces[i].front_only ? behind : (WideMask)0;
     if (!g->faces[i].flat) {
-        Interval in_box = interval_in_box(g->faces + i, q->ray.origin, q->ray.direction);
+        Interval in_box = interval_in_box(g->faces + i, &q->ray);
         between &= IS(in_box.enter <= in_box.leave) & IS(in_box.enter <= (Wide)1);
     }
     Mask hit = edges.may & TO_MASK(between);

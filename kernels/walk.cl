@@ -139,7 +139,8 @@ INLINE bool next_leaf(const Tree *tree, const Bundle *b, Stack *stack, int *firs
 /* How far the bundle still has to look: to the farthest of its rays' nearest hits. */
 INLINE real reach_of(const NearestQuery *q, const Bundle *b)
 {
-    Lanes t = TO_REAL(q->nearest.t < (Wide)REACH_ALL ? q->nearest.t : (Wide)REACH_ALL) * b->scale;
+    Wide nearest = q->nearest.t_in_box;
+    Lanes t = TO_REAL(nearest < (Wide)REACH_ALL ? nearest : (Wide)REACH_ALL) * b->scale;
     return GROWN(highest(t < (Lanes)REACH_ALL ? t : (Lanes)REACH_ALL, q->active));
 }
 
@@ -222,7 +223,7 @@ static Nearest find_nearest(const Geometry *g, const Tree *tree, Ray ray, Mask a
     q.ray = ray;
     q.line = line(vec_to_real(ray.origin), vec_to_real(ray.direction));
     q.left = left;
-    q.nearest.t = (Wide)WIDE_MAX;
+    q.nearest.t = q.nearest.t_in_box = (Wide)WIDE_MAX;
     q.nearest.face = q.nearest.index = (Mask)-1;
     q.nearest.with_normal = (Mask)0;
     for (Mask rest = active; ANY(rest); rest &= ~q.active) {

@@ -97,6 +97,11 @@ static void pack_face(DeviceScene *packed, const Scene *scene, int index, int i)
     record->front_only = face->front_only;
     record->index = index;
     record->flat = is_flat(face);
+    Box box = face_box(face, &scene->planes[index]);
+    for (int axis = 0; axis < 3; axis++) {
+        record->box[2 * axis] = box.low[axis];
+        record->box[2 * axis + 1] = box.high[axis];
+    }
     put_edges(&packed->edges, (size_t)i * FACE_REALS, face);
     put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
 }
