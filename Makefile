@@ -122,6 +122,12 @@ render: ## render SCENE (default scenes/cornell.json) to OUT (default build/NAME
 	$(PROGRAM) render $(SCENE) -o $(OUT)
 	@echo "The picture is $(abspath $(OUT))"
 
+.PHONY: trace
+trace: ## tell step by step how PIXEL (default 320,240) of SCENE gets its colour
+	@$(SETUP) build
+	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	$(PROGRAM) trace $(SCENE) --pixel $(PIXEL)
+
 .PHONY: install
 install: $(PROGRAM) ## install the program, the scenes and the docs under PREFIX (default /usr/local), below DESTDIR
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/rectray $(DESTDIR)$(PREFIX)/share/doc/rectray
@@ -152,6 +158,10 @@ test: ## run all tests, or one suite: make test suite=NAME
 	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS)
 	@RECTRAY=$(abspath $(PROGRAM)) RERUN="$(RERUN)" tests/run $(UNIT_TESTS) $(SCRIPT_TESTS)
 
+.PHONY: golden
+golden: $(PROGRAM) ## renew tests/golden/ and the output in docs/walkthrough.md after a change of wording
+	RECTRAY=$(abspath $(PROGRAM)) python3 tests/golden_test.py --renew
+
 $(BUILD)/tests/%.o: tests/%.c $(UNITY_DIR)/unity.c | $(FOUND)
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
@@ -173,6 +183,26 @@ $(BUILD)/tests/unity.o: $(UNITY_DIR)/unity.c
 # Fetched, not kept here; a folder that UNITY_DIR names must have it.
 build/unity/unity.c:
 	@.ci/unity $(@D)
+
+# --- Speed ----------------------------------------------------------------------------------------------------
+
+# The programs that ours is measured against, or that help to: each links our library, so that it reads the same scenes.
+# They are built for this machine alone, as fast as the compiler can.
+PEERS := $(BUILD)/peers/embree $(BUILD)/peers/povray_export
+PEER_CFLAGS := -std=gnu99 -O3 -march=native -mprefer-vector-width=512 -ffast-math $(WARNINGS)
+
+.PHONY: peers
+peers: ## build the programs of tests/peers/ that ours is measured against
+	@$(SETUP) build peers
+	@$(MAKE) --no-print-directory $(PEERS)
+
+$(BUILD)/peers/%: tests/peers/%.c $(wildcard tests/peers/peer_*.[ch]) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(call say,compile,$<)
+	$(Q)$(CC) $(PEER_CFLAGS) $(WERROR) -Isrc $< $(PEER_SOURCES) $(LIBRARY) $(PEER_LIBS) $(LIBS) -o $@
+
+$(BUILD)/peers/embree: PEER_SOURCES := $(wildcard tests/peers/peer_*.c)
+$(BUILD)/peers/embree: PEER_LIBS := -lembree3
 
 # --- Variants and care ----------------------------------------------------------------------------------------
 
@@ -216,7 +246,7 @@ clean: ## remove everything that was built
 .PHONY: help
 help: ## this list
 	@echo "Usage: make [TARGET] [VARIABLE=VALUE]... (V=1 shows the commands, WERROR= forgives warnings)"
-	@sed -n 's/^\([a-z]*\):.*## /    make \1\t/p' Makefile | expand -t 20
+	@sed -n 's/^\([a-z-]*\):.*## /    make \1\t/p' Makefile | expand -t 20
 
 .DELETE_ON_ERROR:
 .SECONDARY:
