@@ -155,7 +155,7 @@ SCRIPT_TESTS := $(wildcard tests/$(suite)_test.py tests/$(suite)_test.sh)
 .PHONY: test
 test: ## run all tests, or one suite: make test suite=NAME
 	@$(SETUP) build run test
-	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS)
+	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS) $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS))
 	@RECTRAY=$(abspath $(PROGRAM)) RERUN="$(RERUN)" tests/run $(UNIT_TESTS) $(SCRIPT_TESTS)
 
 .PHONY: golden
@@ -174,6 +174,34 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(BUILD)/tests/unity.o $(LIBRARY)
 # The exact oracle reckons in integers of any size.
 $(BUILD)/tests/test_oracle: $(BUILD)/tests/oracle.o
 $(BUILD)/tests/test_oracle: LIBS += -lgmp
+
+# The stress suite: `make test` runs a small part of it, `make stress` all of it.
+STRESS := $(BUILD)/stress
+TEST   ?=
+.PHONY: stress
+stress: ## try the geometry by millions of rays, judged by exact arithmetic (SEED=1 TEST=NAME SCALE=1; minutes)
+	@$(SETUP) build run test
+	@$(MAKE) --no-print-directory --silent $(STRESS) $(PROGRAM)
+	@$(STRESS) --seed $(SEED) --scale $(SCALE) $(if $(TEST),--test $(TEST))
+
+.PHONY: stability
+stability: $(STRESS) ## the same, written as a table into docs/stability.md
+	@.ci/stability $(STRESS) --seed $(SEED) --scale $(SCALE)
+
+STRESS_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/stress/*.c)) $(BUILD)/tests/oracle.o
+SEED ?= 1
+SCALE ?= 1
+
+$(STRESS): $(STRESS_OBJECTS) $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(LINK) $^ $(LIBS) -lgmp -o $@
+
+$(BUILD)/tests/stress/%.o: CPPFLAGS += -Itests -I$(BUILD)/tests/stress
+$(BUILD)/tests/stress/probe.o: $(BUILD)/tests/stress/probe_cl.inc
+
+$(BUILD)/tests/stress/probe_cl.inc: tests/stress/probe.cl Makefile
+	@mkdir -p $(@D)
+	@od -An -v -tu1 $< | sed 's/  */ /g; s/\([0-9]\) /\1, /g; s/$$/,/' > $@
 
 $(BUILD)/tests/unity.o: $(UNITY_DIR)/unity.c
 	@mkdir -p $(@D)
@@ -221,11 +249,11 @@ clang: ## build the program and its tests with clang, warnings being errors
 	@$(MAKE) --no-print-directory programs CC=clang BUILD=build/clang
 
 .PHONY: programs
-programs: $(PROGRAM) $(UNIT_TESTS)
+programs: $(PROGRAM) $(UNIT_TESTS) $(STRESS)
 
 .PHONY: format
 format: ## give the C sources the style of .clang-format
-	clang-format -i $(wildcard src/*.[ch] tests/*.[ch])
+	clang-format -i $(wildcard src/*.[ch] tests/*.[ch] tests/stress/*.[ch])
 
 .PHONY: lint
 lint: ## look for likely mistakes with clang-tidy (.clang-tidy) and cppcheck
@@ -251,4 +279,4 @@ help: ## this list
 .DELETE_ON_ERROR:
 .SECONDARY:
 
--include $(OBJECTS:.o=.d) $(patsubst tests/%.c,$(BUILD)/tests/%.d,$(wildcard tests/test_*.c))
+-include $(OBJECTS:.o=.d) $(STRESS_OBJECTS:.o=.d) $(patsubst tests/%.c,$(BUILD)/tests/%.d,$(wildcard tests/test_*.c))

@@ -1,0 +1,291 @@
+/* The probe kernels, and the OpenCL calls around them. The product reads its kernels from the folder that RECTRAY_KERNELS
+ * names: the probe writes them to a folder of its own, with its kernels behind the last. */
+#include "probe.h"
+
+#include "kernel_sources.h"
+
+#include "text.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* The text of probe.cl, byte by byte. */
+static const char probe_kernels[] = {
+#include "probe_cl.inc"
+    0};
+
+static void stop_unless(bool ok, const Error *error)
+{
+    if (ok)
+        return;
+    fprintf(stderr, "stress: %s\n", error->text);
+    exit(3);
+}
+
+static void check(cl_int status, const char *call)
+{
+    Error error = {0};
+    stop_unless(opencl_ok(&error, status, call), &error);
+}
+
+/* --- The sources --- */
+
+static void write_source(const char *folder, const char *name, const char *text, const char *more)
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "w");
+    if (!file || fputs(text, file) < 0 || fputs(more, file) < 0 || fclose(file) != 0) {
+        perror(path);
+        exit(3);
+    }
+}
+
+/* Copies the kernels, those of RECTRAY_KERNELS where it is set, to `folder`. */
+static void write_sources(const char *folder)
+{
+    const char *from = getenv("RECTRAY_KERNELS");
+    for (int i = 0; i < kernel_source_count; i++) {
+        const char *more = i == kernel_source_count - 1 ? probe_kernels : "";
+        if (!from) {
+            write_source(folder, kernel_sources[i].name, kernel_sources[i].text, more);
+            continue;
+        }
+        char path[512];
+        long length;
+        Error error = {0};
+        snprintf(path, sizeof path, "%s/%s", from, kernel_sources[i].name);
+        char *text = text_read(path, 1 << 20, &length, &error);
+        stop_unless(text != NULL, &error);
+        write_source(folder, kernel_sources[i].name, text, more);
+        free(text);
+    }
+}
+
+static void remove_sources(const char *folder)
+{
+    char path[512];
+    for (int i = 0; i < kernel_source_count; i++) {
+        snprintf(path, sizeof path, "%s/%s", folder, kernel_sources[i].name);
+        remove(path);
+    }
+    rmdir(folder);
+}
+
+void probe_open(Probe *probe, Precision precision)
+{
+    *probe = (Probe){0};
+    char folder[256];
+    const char *temporary = getenv("TMPDIR");
+    snprintf(folder, sizeof folder, "%s/rectray-probe-XXXXXX", temporary ? temporary : "/tmp");
+    if (!mkdtemp(folder)) {
+        perror(folder);
+        exit(3);
+    }
+    char *kept = getenv("RECTRAY_KERNELS");
+    write_sources(folder);
+    setenv("RECTRAY_KERNELS", folder, 1);
+    RenderSettings settings = {.precision = precision, .device = -1};
+    RenderReport report = {0};
+    Error error = {0};
+    TreeOptions no_tree = {ACCEL_NONE, 1, 1};
+    bool ok = opencl_open(&probe->session, &settings, &report, &error) &&
+              opencl_build(&probe->session, no_tree, &report, &error);
+    if (kept)
+        setenv("RECTRAY_KERNELS", kept, 1);
+    else
+        unsetenv("RECTRAY_KERNELS");
+    remove_sources(folder);
+    stop_unless(ok, &error);
+}
+
+/* --- Buffers --- */
+
+static cl_mem new_buffer(Probe *probe, size_t bytes, const void *data)
+{
+    cl_int status;
+    cl_mem_flags flags = CL_MEM_READ_WRITE | (data ? CL_MEM_COPY_HOST_PTR : 0);
+    cl_mem buffer = clCreateBuffer(probe->session.context, flags, bytes, (void *)(size_t)data, &status);
+    check(status, "clCreateBuffer");
+    return buffer;
+}
+
+static void unload(Probe *probe)
+{
+    cl_mem buffers[] = {probe->parameters, probe->faces,  probe->edges, probe->planes,
+                        probe->materials,  probe->lights, probe->view,  probe->counters};
+    for (size_t i = 0; probe->loaded && i < sizeof buffers / sizeof buffers[0]; i++)
+        clReleaseMemObject(buffers[i]);
+    probe->loaded = false;
+}
+
+void probe_close(Probe *probe)
+{
+    unload(probe);
+    opencl_close(&probe->session);
+}
+
+void probe_load(Probe *probe, const Scene *scene)
+{
+    unload(probe);
+    DeviceScene packed;
+    Error error = {0};
+    Precision wide = probe->session.wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT;
+    stop_unless(device_scene_pack(&packed, scene, NULL, probe->session.precision, wide, &error), &error);
+    size_t faces = (size_t)(scene->face_count > 0 ? scene->face_count : 1);
+    probe->parameters = new_buffer(probe, sizeof(Parameters), NULL);
+    probe->faces = new_buffer(probe, faces * sizeof(FaceRecord), packed.faces);
+    probe->edges = new_buffer(probe, reals_bytes(&packed.edges), packed.edges.data);
+    probe->planes = new_buffer(probe, reals_bytes(&packed.planes), packed.planes.data);
+    probe->materials = new_buffer(probe, reals_bytes(&packed.materials), packed.materials.data);
+    probe->lights = new_buffer(probe, reals_bytes(&packed.lights), packed.lights.data);
+    probe->view = new_buffer(probe, reals_bytes(&packed.view), packed.view.data);
+    probe->counters = new_buffer(probe, COUNTER_STRIPES * COUNTER_STRIDE * sizeof(cl_uint), NULL);
+    probe->launch = (Parameters){
+        .face_count = scene->face_count,
+        .light_count = scene->light_count,
+        .max_bounces = scene->shading.max_bounces,
+        .shadow_ambient = scene->shading.shadow == SHADOW_AMBIENT,
+        .viewer_ray = scene->shading.viewer == VIEWER_RAY,
+    };
+    probe->loaded = true;
+    device_scene_free(&packed);
+}
+
+static size_t real_bytes(bool is_double) { return is_double ? sizeof(double) : sizeof(float); }
+
+/* `count` doubles as the device's wides. */
+static cl_mem new_wides(Probe *probe, const double *numbers, size_t count)
+{
+    if (probe->session.wide_is_double)
+        return new_buffer(probe, count * sizeof(double), numbers);
+    float *floats = malloc(count * sizeof *floats);
+    for (size_t i = 0; i < count; i++)
+        floats[i] = (float)numbers[i];
+    cl_mem buffer = new_buffer(probe, count * sizeof *floats, floats);
+    free(floats);
+    return buffer;
+}
+
+static void read_buffer(Probe *probe, cl_mem buffer, size_t bytes, void *data)
+{
+    check(clEnqueueReadBuffer(probe->session.queue, buffer, CL_TRUE, 0, bytes, data, 0, NULL, NULL), "clEnqueueReadBuffer");
+}
+
+static void read_reals(Probe *probe, cl_mem buffer, size_t count, bool is_double, double *out)
+{
+    if (is_double) {
+        read_buffer(probe, buffer, count * sizeof *out, out);
+        return;
+    }
+    float *floats = malloc(count * sizeof *floats);
+    read_buffer(probe, buffer, count * sizeof *floats, floats);
+    for (size_t i = 0; i < count; i++)
+        out[i] = (double)floats[i];
+    free(floats);
+}
+
+/* --- Runs --- */
+
+static void run(Probe *probe, const char *name, const cl_mem *arguments, int argument_count, long count, size_t items)
+{
+    Parameters parameters = probe->launch;
+    parameters.ray_count = (int)count;
+    Error error = {0};
+    check(clEnqueueWriteBuffer(probe->session.queue, probe->parameters, CL_TRUE, 0, sizeof parameters, &parameters, 0, NULL,
+                               NULL),
+          "clEnqueueWriteBuffer");
+    cl_kernel kernel = opencl_kernel(&probe->session, name, arguments, argument_count, &error);
+    stop_unless(kernel && opencl_run(&probe->session, kernel, items, &error), &error);
+    clReleaseKernel(kernel);
+}
+
+static bool real_is_double(const Probe *probe) { return probe->session.precision == PRECISION_DOUBLE; }
+
+static void read_hits(Probe *probe, cl_mem faces, cl_mem t, long count, CastHit *hits)
+{
+    cl_int *face = malloc((size_t)count * sizeof *face);
+    double *parameter = malloc((size_t)count * sizeof *parameter);
+    read_buffer(probe, faces, (size_t)count * sizeof *face, face);
+    read_reals(probe, t, (size_t)count, probe->session.wide_is_double, parameter);
+    for (long i = 0; i < count; i++)
+        hits[i] = (CastHit){face[i], parameter[i]};
+    free(face);
+    free(parameter);
+}
+
+void probe_nearest(Probe *probe, const double *rays, long count, CastHit *hits)
+{
+    size_t lanes = (size_t)probe->session.lanes;
+    cl_mem input = new_wides(probe, rays, (size_t)count * 6);
+    cl_mem faces = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
+    cl_mem t = new_buffer(probe, (size_t)count * real_bytes(probe->session.wide_is_double), NULL);
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges,    probe->planes, input,
+                          faces,             t,            probe->counters, probe->edges,  probe->faces}; /* no tree: never read */
+    run(probe, "cast", arguments, 10, count, ((size_t)count + lanes - 1) / lanes);
+    read_hits(probe, faces, t, count, hits);
+    clReleaseMemObject(input);
+    clReleaseMemObject(faces);
+    clReleaseMemObject(t);
+}
+
+void probe_counts(Probe *probe, const double *rays, long count, int *counts)
+{
+    cl_mem input = new_wides(probe, rays, (size_t)count * 6);
+    cl_mem output = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, input, output};
+    run(probe, "probe_counts", arguments, 6, count, (size_t)count);
+    read_buffer(probe, output, (size_t)count * sizeof(cl_int), counts);
+    clReleaseMemObject(input);
+    clReleaseMemObject(output);
+}
+
+void probe_blocked(Probe *probe, const double *segments, const int *left, long count, int *blocked)
+{
+    cl_mem input = new_wides(probe, segments, (size_t)count * 6);
+    cl_mem leaving = new_buffer(probe, (size_t)count * sizeof(cl_int), left);
+    cl_mem output = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, input, leaving, output};
+    run(probe, "probe_blocked", arguments, 7, count, (size_t)count);
+    read_buffer(probe, output, (size_t)count * sizeof(cl_int), blocked);
+    clReleaseMemObject(input);
+    clReleaseMemObject(leaving);
+    clReleaseMemObject(output);
+}
+
+void probe_points(Probe *probe, const double *rays, long count, CastHit *hits, double *points, double *shifted)
+{
+    cl_mem input = new_wides(probe, rays, (size_t)count * 6);
+    cl_mem faces = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
+    cl_mem t = new_buffer(probe, (size_t)count * real_bytes(probe->session.wide_is_double), NULL);
+    cl_mem output = new_buffer(probe, (size_t)count * 6 * real_bytes(probe->session.wide_is_double), NULL);
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, probe->materials, probe->lights,
+                          probe->view,       input,        faces,        t,             output};
+    run(probe, "probe_points", arguments, 11, count, (size_t)count);
+    read_hits(probe, faces, t, count, hits);
+    double *both = malloc((size_t)count * 6 * sizeof *both);
+    read_reals(probe, output, (size_t)count * 6, probe->session.wide_is_double, both);
+    for (long i = 0; i < count; i++) {
+        memcpy(points + 3 * i, both + 6 * i, 3 * sizeof *points);
+        memcpy(shifted + 3 * i, both + 6 * i + 3, 3 * sizeof *shifted);
+    }
+    free(both);
+    clReleaseMemObject(input);
+    clReleaseMemObject(faces);
+    clReleaseMemObject(t);
+    clReleaseMemObject(output);
+}
+
+void probe_colours(Probe *probe, const double *rays, long count, double *colours)
+{
+    cl_mem input = new_wides(probe, rays, (size_t)count * 6);
+    cl_mem output = new_buffer(probe, (size_t)count * 3 * real_bytes(real_is_double(probe)), NULL);
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, probe->materials,
+                          probe->lights,     probe->view,  input,        output};
+    run(probe, "probe_colours", arguments, 9, count, (size_t)count);
+    read_reals(probe, output, (size_t)count * 3, real_is_double(probe), colours);
+    clReleaseMemObject(input);
+    clReleaseMemObject(output);
+}

@@ -1,0 +1,99 @@
+/* What the stress suite asks the product's kernels beside what the product asks: single functions of theirs, one work-item
+ * per question, all lanes the same. Compiled behind the product's sources, every face asked in turn. */
+
+static WideVec probe_vec(global const wide *a, int i)
+{
+    return wide_vec((Wide)a[6 * i], (Wide)a[6 * i + 1], (Wide)a[6 * i + 2]);
+}
+
+static Ray probe_ray(global const wide *rays, int i)
+{
+    Ray ray = {probe_vec(rays, i), probe_vec(rays + 3, i)};
+    return ray;
+}
+
+/* How many faces each ray hits: each face asked as a scene of its own. A work-item per ray. */
+kernel void probe_counts(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+                         global const wide *planes, global const wide *rays, global int *counts)
+{
+    int i = (int)get_global_id(0), count = 0;
+    if (i >= parameters->ray_count)
+        return;
+    Counters counters = {{0}};
+    Tree tree = {0, 0};
+    for (int face = 0; face < parameters->face_count; face++) {
+        Geometry g = {faces + face, edges + face * FACE_REALS, planes + face * PLANE_REALS, 1};
+        Nearest nearest = find_nearest(&g, &tree, probe_ray(rays, i), (Mask)-1, (Mask)-1, true, &counters);
+        count += ANY(IS(nearest.face >= (Mask)0));
+    }
+    counts[i] = count;
+}
+
+/* Is the segment blocked by a face other than the one it leaves? A work-item per segment. */
+kernel void probe_blocked(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+                          global const wide *planes, global const wide *segments,
+                          global const int *left, global int *blocked)
+{
+    int i = (int)get_global_id(0);
+    if (i >= parameters->ray_count)
+        return;
+    Counters counters = {{0}};
+    Tree tree = {0, 0};
+    Geometry g = {faces, edges, planes, parameters->face_count};
+    wide target[3] = {segments[6 * i + 3], segments[6 * i + 4], segments[6 * i + 5]};
+    blocked[i] = ANY(find_blocked(&g, &tree, probe_vec(segments, i), target, (Mask)-1, (Mask)left[i], &counters));
+}
+
+/* Where the nearest hit is, and where the next ray starts. A work-item per ray. */
+kernel void probe_points(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+                         global const wide *planes, global const real *materials, global const real *lights,
+                         global const real *view, global const wide *rays, global int *hits, global wide *t,
+                         global wide *points)
+{
+    int i = (int)get_global_id(0);
+    if (i >= parameters->ray_count)
+        return;
+    Counters counters = {{0}};
+    Tree tree = {0, 0};
+    Geometry g = {faces, edges, planes, parameters->face_count};
+    Shading s = {materials, lights, view, parameters, &tree};
+    Ray ray = probe_ray(rays, i);
+    Nearest nearest = find_nearest(&g, &tree, ray, (Mask)-1, (Mask)-1, true, &counters);
+    MaskElement face[LANES];
+    wide parameter[LANES];
+    STORE(nearest.face, face);
+    STORE(nearest.t, parameter);
+    hits[i] = (int)face[0];
+    t[i] = parameter[0];
+    if (face[0] < 0)
+        return;
+    Surface surface = surface_of(&g, &s, ray, nearest, (Mask)-1);
+    Wide numbers[6] = {surface.point.x, surface.point.y, surface.point.z,
+                        surface.shifted.x, surface.shifted.y, surface.shifted.z};
+    for (int k = 0; k < 6; k++) {
+        wide number[LANES];
+        STORE(numbers[k], number);
+        points[6 * i + k] = number[0];
+    }
+}
+
+/* The colour that a ray brings, not clamped. A work-item per ray. */
+kernel void probe_colours(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+                          global const wide *planes, global const real *materials, global const real *lights,
+                          global const real *view, global const wide *rays, global real *colours)
+{
+    int i = (int)get_global_id(0);
+    if (i >= parameters->ray_count)
+        return;
+    Counters counters = {{0}};
+    Tree tree = {0, 0};
+    Geometry g = {faces, edges, planes, parameters->face_count};
+    Shading s = {materials, lights, view, parameters, &tree};
+    Vec colour = trace_path(&g, &s, probe_ray(rays, i), (Mask)-1, &counters);
+    Lanes numbers[3] = {colour.x, colour.y, colour.z};
+    for (int k = 0; k < 3; k++) {
+        real number[LANES];
+        STORE(numbers[k], number);
+        colours[3 * i + k] = number[0];
+    }
+}

@@ -1,0 +1,30 @@
+/* A device kept open for the suite: the product's own kernels, and beside them, compiled with the same sources, a few that
+ * ask single functions of the product what no command shows: every face hit, one shadow segment, the shifted point. */
+#ifndef RECTRAY_STRESS_PROBE_H
+#define RECTRAY_STRESS_PROBE_H
+
+#include "opencl_program.h"
+#include "opencl_scene.h"
+
+typedef struct Probe {
+    OpenclSession session;
+    cl_mem parameters, faces, edges, planes, materials, lights, view, counters;
+    Parameters launch;
+    bool loaded;
+} Probe;
+
+/* Failures of the machine end the program with a message: there is no test without a device. */
+void probe_open(Probe *probe, Precision precision);
+void probe_close(Probe *probe);
+void probe_load(Probe *probe, const Scene *scene);
+
+/* Rays are origin and direction, segments both ends; points are three doubles each. */
+void probe_nearest(Probe *probe, const double *rays, long count, CastHit *hits);
+void probe_counts(Probe *probe, const double *rays, long count, int *counts);
+void probe_blocked(Probe *probe, const double *segments, const int *left, long count, int *blocked);
+void probe_points(Probe *probe, const double *rays, long count, CastHit *hits, double *points, double *shifted);
+
+/* RGB, linear, three doubles per ray. */
+void probe_colours(Probe *probe, const double *rays, long count, double *colours);
+
+#endif
