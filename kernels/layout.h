@@ -84,6 +84,15 @@ enum { NO_CHILD = -2147483647 - 1, LEAF_BITS = 4, LEAF_MAX = (1 << LEAF_BITS) - 
 #define LEAF_FIRST(child) (~(child) >> LEAF_BITS)
 #define LEAF_COUNT(child) (~(child) & LEAF_MAX)
 
+/* A node of a k-d tree. The low child of an inner node is the node after it. */
+enum {
+    KD_AXIS = 0,  /* 0, 1, 2, or KD_LEAF */
+    KD_FIRST = 1, /* inner node: the high child; leaf: its first place in the list of faces */
+    KD_COUNT = 2, /* leaf: how many faces */
+    KD_INTS = 3,
+    KD_LEAF = 3
+};
+
 /* Counters, in COUNTER_STRIPES copies so that work-items seldom meet; the host adds the copies. */
 enum {
     COUNT_PRIMARY,

@@ -110,11 +110,12 @@ static void store_tile(global uchar *rgb, const Parameters *p, int first_column,
 /* rgb: band_rows * columns * 3 bytes. One work-item per tile, tiles row by row; surplus work-items do nothing. */
 kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                    global const wide *planes, global const real *materials, global const real *lights,
-                   global const real *view, global uchar *rgb, volatile global uint *totals, global const float *boxes, global const int *children)
+                   global const real *view, global uchar *rgb, volatile global uint *totals,
+                   global const float *tree_floats, global const int *tree_ints)
 {
     Parameters p = *parameters;
     Geometry g = {faces, edges, planes, p.face_count};
-    Tree tree = {boxes, children};
+    Tree tree = {tree_floats, tree_ints};
     Shading s = {materials, lights, view, parameters, &tree};
     Counters counters = {{0}};
     int tiles_across = (p.columns + TILE_COLUMNS - 1) / TILE_COLUMNS;
@@ -142,10 +143,11 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
 /* rays: ray_count x (origin, direction); hits_face, hits_t: one per ray, -1 and 0 for a miss. LANES rays per work-item. */
 kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                  global const wide *planes, global const wide *rays, global int *hits_face, global wide *hits_t,
-                 volatile global uint *totals, global const float *boxes, global const int *children)
+                 volatile global uint *totals,
+                   global const float *tree_floats, global const int *tree_ints)
 {
     Geometry g = {faces, edges, planes, parameters->face_count};
-    Tree tree = {boxes, children};
+    Tree tree = {tree_floats, tree_ints};
     Counters counters = {{0}};
     int first = (int)get_global_id(0) * LANES, count = min(LANES, parameters->ray_count - first);
     if (count <= 0)

@@ -85,7 +85,7 @@ static bool build_program(OpenclSession *session, const Sources *sources, TreeOp
              "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DTILE_COLUMNS=%d -DTILE_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
              "-DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
              session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double, session->tile_columns,
-             session->tile_rows, tree.kind == ACCEL_BVH, tree.node_width, tree.stack_size, (int)sizeof(FaceRecord),
+             session->tile_rows, tree.kind == ACCEL_BVH ? 1 : tree.kind == ACCEL_KDTREE ? 2 : 0, tree.node_width, tree.stack_size, (int)sizeof(FaceRecord),
              (int)sizeof(Parameters));
     cl_int status;
     session->program = clCreateProgramWithSource(session->context, (cl_uint)(2 * sources->count),

@@ -1,19 +1,23 @@
-/* A bounding volume hierarchy as the kernels walk it: a node has as many children as the lanes test at once, their
- * boxes side by side (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008, section 3). Floor 4, below opencl.h. */
+/* A tree as the kernels walk it: two arrays. A node of the bounding volume hierarchy has as many children as the lanes test
+ * at once, their boxes side by side (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008, section 3).
+ * Floor 5, below opencl.h. */
 #ifndef RECTRAY_OPENCL_TREE_H
 #define RECTRAY_OPENCL_TREE_H
 
-#include "bvh.h"
+#include "accel.h"
 
-typedef struct WideTree {
-    float *boxes;  /* per node 6 x width: low x of all children, high x, low y, high y, low z, high z */
-    int *children; /* per node `width`: see NO_CHILD and LEAF in kernels/layout.h; node 0 is the root */
-    int width, node_count;
-    int depth; /* of the deepest node; the root's is 1 */
-} WideTree;
+#include <stddef.h>
 
-/* Collapses a binary tree: a node takes in the children of its largest child until it has `width`. */
-bool wide_tree_build(WideTree *tree, const Bvh *bvh, int width, Error *error);
-void wide_tree_free(WideTree *tree);
+typedef struct DeviceTree {
+    float *floats; /* as kernels/bvh.cl and kernels/kdtree.cl say */
+    int *ints;
+    size_t float_count, int_count;
+    int node_width; /* children per node of a BVH */
+    int stack_size; /* nodes that a walk may have to remember */
+} DeviceTree;
+
+/* Packs the tree that was built; where there is none, the arrays are empty. `width`: 4 to 16. */
+bool device_tree_pack(DeviceTree *tree, const Accel *accel, int width, Error *error);
+void device_tree_free(DeviceTree *tree);
 
 #endif

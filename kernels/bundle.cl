@@ -1,0 +1,84 @@
+/* Bundles of rays, for the trees: what bounds all of them on each axis, and where they may be between two planes.
+ * A bundle visits a box when the intervals of its origins and directions allow some ray of it to meet the box
+ * (interval traversal: Boulos, Wald, Benthin, "Adaptive Ray Packet Reordering", 2008, section 3). */
+
+/* How faces are found, a build option: all are asked, or those in the leaves of a tree. */
+#define ACCEL_NONE 0
+#define ACCEL_BVH 1
+#define ACCEL_KDTREE 2
+
+/* A tree's buffers; bvh.cl and kdtree.cl say what is in them. */
+typedef struct Tree {
+    global const float *floats;
+    global const int *ints;
+} Tree;
+
+#if ACCEL != ACCEL_NONE
+
+/* What bounds all rays of a bundle on one axis, the directions scaled to a largest component of 1. */
+typedef struct Slab {
+    real origin_low, origin_high;
+    real inverse_low, inverse_high; /* 1 / the lowest and the highest direction */
+    int sign;                       /* of all directions; 0: they differ */
+} Slab;
+
+typedef struct Bundle {
+    Slab slabs[3];
+    Lanes scale; /* t of a lane * scale = distance along the scaled direction */
+    real reach;  /* no ray of the bundle goes farther than this */
+} Bundle;
+
+#define REACH_ALL ((real)1e30f)
+#define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING)) /* more than the rounding of what follows could take away */
+
+INLINE real lowest(Lanes x, Mask active) { return lanes_lowest(active ? x : (Lanes)REACH_ALL); }
+INLINE real highest(Lanes x, Mask active) { return -lowest(-x, active); }
+
+INLINE Slab slab(Lanes origin, Lanes direction, Mask active)
+{
+    Slab s;
+    real low = lowest(direction, active), high = highest(direction, active);
+    s.origin_low = lowest(origin, active);
+    s.origin_high = highest(origin, active);
+    /* They have been rounded to real. */
+    s.origin_low -= 2 * REAL_ROUNDING * fabs(s.origin_low);
+    s.origin_high += 2 * REAL_ROUNDING * fabs(s.origin_high);
+    s.sign = low > 0 ? 1 : high < 0 ? -1 : 0;
+    /* Directions that differ in sign, or are 0: those below 0 come from the high plane, those above from the low one. */
+    s.inverse_low = s.sign != 0 || low < 0 ? 1 / low : -(real)INFINITY;
+    s.inverse_high = s.sign != 0 || high > 0 ? 1 / high : (real)INFINITY;
+    return s;
+}
+
+INLINE Bundle bundle(const Line *l, Mask active)
+{
+    Bundle b;
+    b.scale = vec_largest(l->direction);
+    Lanes shrink = 1 / b.scale;
+    b.slabs[0] = slab(l->origin.x, l->direction.x * shrink, active);
+    b.slabs[1] = slab(l->origin.y, l->direction.y * shrink, active);
+    b.slabs[2] = slab(l->origin.z, l->direction.z * shrink, active);
+    b.reach = REACH_ALL;
+    return b;
+}
+
+/* Narrows [enter, leave] to where the bundle may be between the two planes. 0 * infinity, which is NaN, narrows nothing. */
+INLINE void cross_slab(Slab s, Lanes low, Lanes high, Lanes *enter, Lanes *leave)
+{
+    low -= s.origin_high;
+    high -= s.origin_low;
+    Lanes near, far = (Lanes)REACH_ALL;
+    if (s.sign > 0) {
+        near = LESSER(low * s.inverse_low, low * s.inverse_high);
+        far = GREATER(high * s.inverse_low, high * s.inverse_high);
+    } else if (s.sign < 0) {
+        near = LESSER(high * s.inverse_low, high * s.inverse_high);
+        far = GREATER(low * s.inverse_low, low * s.inverse_high);
+    } else {
+        near = GREATER(low * s.inverse_high, high * s.inverse_low);
+    }
+    *enter = near > *enter ? near : *enter;
+    *leave = far < *leave ? far : *leave;
+}
+
+#endif

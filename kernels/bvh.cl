@@ -1,0 +1,78 @@
+/* A walk through a bounding volume hierarchy whose nodes have NODE_WIDTH children, tested LANES at a time.
+ * Tree.floats holds, per node, 6 planes (low x, high x, low y, ...) of all children, Tree.ints the children: see NO_CHILD and
+ * LEAF in layout.h. The device has the faces in the order of the leaves. */
+
+#if ACCEL == ACCEL_BVH
+
+/* Nodes to visit, the nearest on top. */
+typedef struct Stack {
+    int node[STACK_SIZE];
+    real enter[STACK_SIZE];
+    int count;
+} Stack;
+
+INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
+{
+    int i = stack->count++;
+    for (; i > floor && stack->enter[i - 1] < enter; i--) {
+        stack->node[i] = stack->node[i - 1];
+        stack->enter[i] = stack->enter[i - 1];
+    }
+    stack->node[i] = node;
+    stack->enter[i] = enter;
+}
+
+/* Puts the children that the bundle may meet on the stack. */
+INLINE void push_children(const Tree *tree, const Bundle *b, int node, Stack *stack)
+{
+    global const float *boxes = tree->floats + (size_t)node * (6 * NODE_WIDTH);
+    global const int *children = tree->ints + (size_t)node * NODE_WIDTH;
+    int floor = stack->count;
+    for (int part = 0; part < NODE_WIDTH; part += LANES) {
+        Lanes enter = (Lanes)0, leave = (Lanes)b->reach;
+        for (int axis = 0; axis < 3; axis++)
+            cross_slab(b->slabs[axis], LOAD_FLOATS(boxes + 2 * axis * NODE_WIDTH + part),
+                       LOAD_FLOATS(boxes + (2 * axis + 1) * NODE_WIDTH + part), &enter, &leave);
+        uint met = mask_bits(IS(enter <= GROWN(leave)));
+        if (!met)
+            continue;
+        real enters[LANES];
+        STORE(enter, enters);
+        for (; met; met &= met - 1) {
+            int i = lowest_bit(met);
+            if (children[part + i] != NO_CHILD)
+                stack_insert(stack, floor, children[part + i], enters[i]);
+        }
+    }
+}
+
+INLINE Stack stack_of(const Tree *tree, const Bundle *b)
+{
+    Stack stack;
+    stack.node[0] = 0;
+    stack.enter[0] = 0;
+    stack.count = 1;
+    return stack;
+}
+
+INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
+
+/* The next leaf that the bundle meets, nearest first: its faces are first .. first + count - 1. False: there is none. */
+INLINE bool next_leaf(const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *counters)
+{
+    while (stack->count > 0) {
+        int node = stack->node[--stack->count];
+        if (stack->enter[stack->count] > b->reach)
+            continue;
+        if (node < 0) {
+            *first = LEAF_FIRST(node);
+            *count = LEAF_COUNT(node);
+            return true;
+        }
+        counters->kinds[COUNT_BOX_TESTS] += NODE_WIDTH;
+        push_children(tree, b, node, stack);
+    }
+    return false;
+}
+
+#endif
