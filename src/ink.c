@@ -94,7 +94,9 @@ void ink_line(const Ink *ink, const char *format, ...)
     vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
 
-    const char *equals = strstr(line, " = ");
+    const char *equals = strstr(line, " = "), *tab = strchr(line, '\t');
+    if (tab && equals > tab)
+        equals = NULL;
     int indent = (int)strspn(line, " ");
     int hang = equals ? columns_of(line, (size_t)(equals - line)) : indent + 2;
     if (hang > INK_COLUMNS / 2)

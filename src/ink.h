@@ -17,7 +17,7 @@ typedef struct Ink {
 
 /* A piece of text, passed by value. */
 typedef struct InkText {
-    char text[112];
+    char text[224];
 } InkText;
 
 /* Whether the stream is a terminal on which colour is welcome: NO_COLOR is unset or empty, TERM is not "dumb". */
@@ -40,7 +40,7 @@ InkText ink_vector(Vec3 v, int digits);
 InkText ink_name(const char *name, int columns);
 
 /* Prints a line, printf-like. Where it would pass the last column it is broken at a tab, and goes on under the first " = "
- * of the line, or a little indented where there is none; other tabs are blanks. */
+ * before all tabs, or a little indented where there is none; other tabs are blanks. */
 void ink_line(const Ink *ink, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 2, 3)))
@@ -71,7 +71,7 @@ typedef struct InkRow {
 /* Prints vectors below one another, their components in columns. */
 void ink_rows(const Ink *ink, const InkRow *rows, int count);
 
-/* The sequence that begins a colour, and "" without colour: "+" is green, "-" red, "b" bold, "d" dim, "" ends all. */
+/* The sequence that begins a colour, "" where there are none: '+' is green, '-' red, 'b' bold, any other ends them. */
 const char *ink_colour(const Ink *ink, char which);
 
 #endif

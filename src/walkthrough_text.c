@@ -36,6 +36,12 @@ InkText text_face(const Scene *scene, int face, int columns)
     return ink_text("%.64s%s", ink_name(scene->objects[scene->faces[face].object].name, room).text, number.text);
 }
 
+InkText text_sign(const Ink *ink, int sign)
+{
+    const char *signs[] = {"-", "0", "+"};
+    return ink_text("%s%s%s", ink_colour(ink, signs[sign + 1][0]), signs[sign + 1], ink_colour(ink, '.'));
+}
+
 /* Six digits, and as many more as the scene is farther from the origin than it is large. */
 static int place_digits(const Scene *scene)
 {

@@ -1,4 +1,5 @@
-/* The parts of the walkthrough as text, shared out to four files: the path, the hits, the lights, the sum. Floor 5. */
+/* The parts of the walkthrough as text, shared out to five files: the path, the search for faces,
+ * the hits, the lights, the sum. Floor 5. */
 #ifndef RECTRAY_WALKTHROUGH_TEXT_H
 #define RECTRAY_WALKTHROUGH_TEXT_H
 
@@ -27,13 +28,18 @@ InkRow text_row(InkText label, Vec3 v);
 /* "floor/2": the face's object, and its number in it. */
 InkText text_face(const Scene *scene, int face, int columns);
 
-/* --- walkthrough_text_hit.c: EVENT_TALLY, EVENT_NODE, EVENT_FACE and EVENT_OCCLUDER, EVENT_HIT, EVENT_MISS --- */
+/* "+", "-" or "0", in its colour. */
+InkText text_sign(const Ink *ink, int sign);
+
+/* --- walkthrough_text_search.c: EVENT_TALLY, EVENT_NODE, EVENT_FACE and EVENT_OCCLUDER --- */
 
 void text_tally(TextWalk *text, const Event *event);
 void text_node(TextWalk *text, const Event *event);
-void text_tested(TextWalk *text, int face, const FaceTest *test, const char *verdict);
 void text_face_tested(TextWalk *text, const Event *event);
 void text_occluder_tested(TextWalk *text, const Event *event);
+
+/* --- walkthrough_text_hit.c: EVENT_HIT --- */
+
 void text_hit(TextWalk *text, const Event *event);
 
 /* --- walkthrough_text_light.c: EVENT_LIGHT, EVENT_LIGHT_END, EVENT_TERMS --- */

@@ -22,11 +22,9 @@ void text_light(TextWalk *text, const Event *event)
     ink_rows(ink, rows, sizeof rows / sizeof *rows);
     fputc('\n', ink->out);
     Vec3 from_vertex = vec3_sub(event->as.light.position, face_vertex(&scene->faces[hit->as.hit.face], 0));
-    ink_line(ink, "    N.(light - v0) = %s.%s\t= %s %s 0", ink_vector(hit->as.hit.normal, 6).text,
-             ink_vector(from_vertex, 6).text, ink_number(event->as.light.height, 6).text,
-             side > 0   ? ">"
-             : side < 0 ? "<"
-                        : "=");
+    const char *relation = side > 0 ? " > 0" : side < 0 ? " < 0" : "";
+    ink_line(ink, "    N.(light - v0) = %s.%s\t= %s%s", ink_vector(hit->as.hit.normal, 6).text,
+             ink_vector(from_vertex, 6).text, ink_number(event->as.light.height, 6).text, relation);
     if (side > 0)
         ink_line(ink, "    The light is in front of the face. The ray from P%d' (t = 0) to the light (t = 1):\n",
                  number);
@@ -127,6 +125,17 @@ static void print_terms(const Ink *ink, const Term *terms, int count, Vec3 sum)
     ink_line(ink, "    I%*s\t= %s", 13 + wide.k + 3 + wide.i + 1 + wide.factor, "", decimals(sum, wide.places).text);
 }
 
+/* L.N, N.H and its power; a dot product below 0 counts as 0. */
+static void print_highlight(const Ink *ink, Vec3 n, const Illumination *terms, double shininess)
+{
+    double n_dot_h = vec3_dot(n, terms->h);
+    InkText clamped = n_dot_h < 0 ? ink_text("max(0, %s) = ", ink_number(n_dot_h, 6).text) : ink_text("%s", "");
+    InkText power = ink_text("%s^(%s/4)", ink_number(terms->n_dot_h, 6).text, ink_number(shininess, 6).text);
+    ink_line(ink, "\n    L.N = %s,\tN.H = %s%s,\ts = (N.H)^(alpha/4) = %s = %s", ink_number(terms->l_dot_n, 6).text,
+             clamped.text, ink_number(terms->n_dot_h, 6).text, power.text,
+             ink_number(pow(terms->n_dot_h, shininess / 4), 6).text);
+}
+
 void text_terms(TextWalk *text, const Event *event)
 {
     const Ink *ink = &text->ink;
@@ -146,10 +155,7 @@ void text_terms(TextWalk *text, const Event *event)
             text_row(ink_text("H = unit(L + V)"), terms->h),
         };
         ink_rows(ink, rows, sizeof rows / sizeof *rows);
-        ink_line(ink, "\n    L.N = %s,\tN.H = %s,\ts = (N.H)^(alpha/4) = %s^(%s/4) = %s",
-                 ink_number(terms->l_dot_n, 6).text, ink_number(terms->n_dot_h, 6).text,
-                 ink_number(terms->n_dot_h, 6).text, ink_number(material->shininess, 6).text,
-                 ink_number(highlight, 6).text);
+        print_highlight(ink, text->place.hit->as.hit.normal, terms, material->shininess);
     }
     ink_line(ink, event->as.terms.ambient_only ? "    I = ka ia:\n" : "    I = ka ia + kd id (L.N) + ks is s:\n");
     const Term all[] = {

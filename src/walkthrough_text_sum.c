@@ -53,7 +53,7 @@ static void print_samples(const TextWalk *text)
              list ? " All samples, each found in the same way:\n"
                   : " --verbose lists the others, found in the same way.");
     InkRow rows[SCENE_MAX_GRID * SCENE_MAX_GRID];
-    const Event *sample = NULL;
+    const Event *sample = walk->events; /* the first event is one */
     for (long k = 0; k < walk->count; k++) {
         const Event *event = &walk->events[k];
         if (event->kind == EVENT_SAMPLE)
