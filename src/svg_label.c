@@ -35,20 +35,23 @@ static double length_inside(const SvgBox *line, const SvgBox *box)
     return (t1 - t0) * hypot(dx, dy);
 }
 
-static SvgBox label_box(const SvgLabel *label, int place)
+/* Places lie on rings around the mark, so many on each. */
+enum { RINGS = 4, PLACES_ON_RING = 16 };
+
+static SvgBox label_box(const SvgLabel *label, int ring, int place)
 {
-    double angle = (place % 16) * 3.14159265358979 / 8, distance = 10 + 12 * (place / 16);
+    double angle = 2 * 3.14159265358979 * place / PLACES_ON_RING, distance = 10 + 12 * ring;
     double width = LETTER_WIDTH * (double)strlen(label->text), height = LETTER_HEIGHT;
     /* The box touches the circle of that distance: its centre is half its size farther out. */
-    double x = label->at.x + cos(angle) * (distance + width / 2),
-           y = label->at.y - sin(angle) * (distance + height / 2);
+    double x = label->at.x + cos(angle) * (distance + width / 2);
+    double y = label->at.y - sin(angle) * (distance + height / 2);
     return (SvgBox){x - width / 2, y - height / 2, x + width / 2, y + height / 2};
 }
 
-static double cost_of(const SvgView *view, const SvgBox *box, int place)
+static double cost_of(const SvgView *view, const SvgBox *box, int ring)
 {
     double area = (box->right - box->left) * (box->bottom - box->top);
-    double cost = 8.0 * (place / 16) + 20 * (area - overlap(box, &view->box));
+    double cost = 8.0 * ring + 20 * (area - overlap(box, &view->box));
     for (int i = 0; i < view->taken_count; i++)
         cost += 10 * overlap(box, &view->taken[i]);
     for (int i = 0; i < view->line_count; i++)
@@ -58,17 +61,17 @@ static double cost_of(const SvgView *view, const SvgBox *box, int place)
 
 static void place_label(SvgView *view, const SvgLabel *label)
 {
-    enum { PLACES = 64 };
-    SvgBox best = label_box(label, 0);
+    SvgBox best = label_box(label, 0, 0);
     double least = HUGE_VAL;
-    for (int place = 0; place < PLACES; place++) {
-        SvgBox box = label_box(label, place);
-        double cost = cost_of(view, &box, place);
-        if (cost < least) {
-            least = cost;
-            best = box;
+    for (int ring = 0; ring < RINGS; ring++)
+        for (int place = 0; place < PLACES_ON_RING; place++) {
+            SvgBox box = label_box(label, ring, place);
+            double cost = cost_of(view, &box, ring);
+            if (cost < least) {
+                least = cost;
+                best = box;
+            }
         }
-    }
     view->taken[view->taken_count++] = best;
     fprintf(view->out, "<text class='label' x='%.1f' y='%.1f' text-anchor='middle' fill='%s'>%s</text>\n",
             (best.left + best.right) / 2, best.bottom - 3, label->colour, label->text);

@@ -64,9 +64,10 @@ static void draw_axis(const SvgView *view, bool vertical)
     double start = vertical ? view->left : view->bottom;
     double step = round_step(length / 8);
     bool flipped = !vertical && view->direction == SVG_FROM_ABOVE; /* the axis is z, which runs downwards */
-    for (double k = ceil(start / step); k * step <= start + length; k++) {
-        double pixels = (k * step - start) * view->scale;
-        double value = flipped ? -k * step : k * step;
+    double first = ceil(start / step) * step;
+    for (int k = 0; first + k * step <= start + length; k++) {
+        double pixels = (first + k * step - start) * view->scale;
+        double value = round(first / step + k) * step * (flipped ? -1 : 1);
         draw_tick(view, vertical, vertical ? box->left + pixels : box->bottom - pixels, value == 0 ? 0 : value);
     }
 }

@@ -253,8 +253,9 @@ bool walkthrough_write_svg(FILE *out, const Walkthrough *walk, WalkStyle style, 
     Extent extent = measure(walk);
     SvgDirection left_out = least_telling(&extent);
     draw_head(out, walk);
-    for (int panel = 0, k = 0; k < SVG_DIRECTION_COUNT; k++)
-        if (k != (int)left_out)
+    int panel = 0;
+    for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++)
+        if (k != left_out)
             draw_panel(out, walk, k, panels[panel++], &extent);
     draw_legend(out);
     draw_captions(out, walk);
