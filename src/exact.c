@@ -10,15 +10,6 @@ typedef struct Expansion {
     int count;
 } Expansion;
 
-/* Knuth's TwoSum (Shewchuk 1997, theorem 7). */
-Pair exact_sum(double a, double b)
-{
-    double sum = a + b;
-    double b_seen = sum - a;
-    double a_seen = sum - b_seen;
-    return (Pair){sum, (a - a_seen) + (b - b_seen)};
-}
-
 /* Dekker's split into two halves of 26 bits (Shewchuk 1997, theorem 17). */
 static Pair split(double a)
 {
@@ -69,14 +60,6 @@ static void expansion_add_pairs(Expansion *e, double sign, Pair a, Pair b, Pair 
     for (int i = 0; i < 8; i++)
         expansion_add_product(e, sign * (i & 1 ? a.high : a.low), i & 2 ? b.high : b.low, i & 4 ? c.high : c.low);
 }
-
-ExactVec3 exact_difference(Vec3 a, Vec3 b)
-{
-    Pair x = exact_sum(a.x, -b.x), y = exact_sum(a.y, -b.y), z = exact_sum(a.z, -b.z);
-    return (ExactVec3){vec3(x.high, y.high, z.high), vec3(x.low, y.low, z.low)};
-}
-
-ExactVec3 exact_vec3(Vec3 a) { return (ExactVec3){a, vec3(0, 0, 0)}; }
 
 double exact_determinant(ExactVec3 a, ExactVec3 b, ExactVec3 c)
 {

@@ -12,8 +12,16 @@ typedef struct Pair {
     double high, low;
 } Pair;
 
-/* a + b and a * b without error. */
-Pair exact_sum(double a, double b);
+/* a + b without error: Knuth's TwoSum (Shewchuk 1997, theorem 7). */
+static inline Pair exact_sum(double a, double b)
+{
+    double sum = a + b;
+    double b_seen = sum - a;
+    double a_seen = sum - b_seen;
+    return (Pair){sum, (a - a_seen) + (b - b_seen)};
+}
+
+/* a * b without error. */
 Pair exact_product(double a, double b);
 
 /* The same of a vector, component by component. */
@@ -22,9 +30,13 @@ typedef struct ExactVec3 {
 } ExactVec3;
 
 /* a - b without error. */
-ExactVec3 exact_difference(Vec3 a, Vec3 b);
+static inline ExactVec3 exact_difference(Vec3 a, Vec3 b)
+{
+    Pair x = exact_sum(a.x, -b.x), y = exact_sum(a.y, -b.y), z = exact_sum(a.z, -b.z);
+    return (ExactVec3){vec3(x.high, y.high, z.high), vec3(x.low, y.low, z.low)};
+}
 
-ExactVec3 exact_vec3(Vec3 a);
+static inline ExactVec3 exact_vec3(Vec3 a) { return (ExactVec3){a, vec3(0, 0, 0)}; }
 
 /* det(a, b, c) = a . (b x c) to within an ulp or two, its sign exact. This holds unless a product of three components
  * leaves the range 2^-960 .. 2^1000, which the scene's limits on coordinates exclude. */
