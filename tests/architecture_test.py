@@ -1,5 +1,5 @@
 """The house stands as docs/architecture.md says: every source file has its place there, and no file includes from a
-floor above its own."""
+floor above its own. Files that share the first word of their names are parts of one room."""
 import re
 import unittest
 from fnmatch import fnmatch
@@ -32,7 +32,7 @@ class Architecture(unittest.TestCase):
 
     def test_page_names_every_kernel(self):
         for path in KERNELS:
-            self.assertIn(f"`{path.name}`", PAGE)
+            self.assertTrue(f"`{path.name}`" in PAGE, f"docs/architecture.md does not name kernels/{path.name}")
 
     def test_page_names_no_file_that_is_gone(self):
         stems = {path.stem for path in SOURCES}
@@ -49,7 +49,8 @@ class Architecture(unittest.TestCase):
         stated = floors()
         for path in SOURCES:
             for included in re.findall(r'#include "(\w+)\.h"', path.read_text(encoding="utf-8")):
-                if path.stem in stated and included in stated:
+                one_room = path.stem.split("_")[0] == included.split("_")[0]
+                if path.stem in stated and included in stated and not one_room:
                     self.assertLessEqual(stated[included], stated[path.stem], f"src/{path.name} includes {included}.h")
 
 
