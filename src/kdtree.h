@@ -27,7 +27,8 @@ typedef struct KdTree {
 } KdTree;
 
 /* Builds the tree of a scene with at least one face on `threads` threads; the tree does not depend on their number.
- * Memory: 16 bytes per node, 4 per face in a leaf, at most KDTREE_MAX_COPIES of them per face of the scene. False with an
+ * Memory: 16 bytes per node and 4 per face of a leaf, together 30 to 80 per face of the scene; at most KDTREE_MAX_COPIES of
+ * a scene's faces are in leaves, each counted once per leaf. While building, about 250 per face. False with an
  * ERROR_SYSTEM when there is not enough. */
 bool kdtree_build(KdTree *tree, const Scene *scene, int threads, Error *error);
 void kdtree_free(KdTree *tree);

@@ -3,12 +3,13 @@
 
 #include "geometry.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A step to a child costs this many face tests; a cut that leaves one side empty is worth more than the heuristic knows
- * (section 3.3), for it spares rays that end elsewhere. */
-#define STEP_COST 0.5
+/* A step to a child costs as much as this many face tests: less makes trees twice as large that are no faster. A cut that
+ * leaves one side empty is worth more than the heuristic knows (section 3.3), for it spares rays that end elsewhere. */
+#define STEP_COST 1.0
 #define EMPTY_BONUS 0.8
 
 static bool voxel_allocate(Voxel *voxel, int faces)
@@ -75,6 +76,7 @@ static void add_event(Voxel *voxel, int axis, float position, int place, VoxelEv
 
 bool voxel_of_scene(Voxel *voxel, const Scene *scene)
 {
+    assert(scene->face_count > 0);
     *voxel = (Voxel){.box = box_empty()};
     VoxelEvent *spare = malloc(2 * (size_t)scene->face_count * sizeof *spare);
     if (!spare || !voxel_allocate(voxel, scene->face_count)) {
@@ -102,18 +104,29 @@ bool voxel_of_scene(Voxel *voxel, const Scene *scene)
 
 /* --- Where to cut (section 4.2, algorithm 3) --- */
 
-/* Takes the cut if it is a better one. A cut along the voxel's own side must take the faces in that side away, or it is none. */
-static void try_cut(const Voxel *voxel, VoxelCut cut, VoxelCut *best)
+/* Half the surface of a part of a voxel that has the whole of two sides: ends + girth * its length along the third. */
+typedef struct Slices {
+    double low, high, ends, girth, area; /* area: of the whole voxel */
+} Slices;
+
+static Slices slices_of(const Box *box, int axis)
 {
-    Box low = voxel->box, high = voxel->box;
-    low.high[cut.axis] = cut.position;
-    high.low[cut.axis] = cut.position;
-    if ((cut.position == voxel->box.low[cut.axis] && cut.low_count == 0) ||
-        (cut.position == voxel->box.high[cut.axis] && cut.high_count == 0))
+    int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    double width = (double)box->high[b] - (double)box->low[b], height = (double)box->high[c] - (double)box->low[c];
+    return (Slices){(double)box->low[axis], (double)box->high[axis], width * height, width + height,
+                    box_half_area(*box)};
+}
+
+/* Takes the cut if it is a better one. A cut along the voxel's own side must take the faces in that side away, or it is none. */
+static void try_cut(const Slices *slices, VoxelCut cut, VoxelCut *best)
+{
+    double low = (double)cut.position - slices->low, high = slices->high - (double)cut.position;
+    if ((low == 0 && cut.low_count == 0) || (high == 0 && cut.high_count == 0))
         return;
-    double area = box_half_area(voxel->box);
-    double tests = (box_half_area(low) * cut.low_count + box_half_area(high) * cut.high_count) / area;
-    cut.cost = (STEP_COST + tests) * (cut.low_count == 0 || cut.high_count == 0 ? EMPTY_BONUS : 1);
+    double low_area = slices->ends + slices->girth * low, high_area = slices->ends + slices->girth * high;
+    cut.cost = STEP_COST + (low_area * cut.low_count + high_area * cut.high_count) / slices->area;
+    if (cut.low_count == 0 || cut.high_count == 0)
+        cut.cost *= EMPTY_BONUS;
     if (cut.cost < best->cost)
         *best = cut;
 }
@@ -122,6 +135,7 @@ static void try_cut(const Voxel *voxel, VoxelCut cut, VoxelCut *best)
 static void sweep_axis(const Voxel *voxel, int axis, VoxelCut *best)
 {
     const VoxelEvent *events = voxel->events[axis];
+    const Slices slices = slices_of(&voxel->box, axis);
     int count = voxel->event_count[axis], low = 0, high = voxel->face_count;
     for (int i = 0; i < count;) {
         float position = events[i].position;
@@ -130,9 +144,9 @@ static void sweep_axis(const Voxel *voxel, int axis, VoxelCut *best)
             of_type[events[i].code % 4]++;
         int planar = of_type[BOX_PLANAR];
         high -= planar + of_type[BOX_ENDS];
-        try_cut(voxel, (VoxelCut){axis, position, true, low + planar, high, 0}, best);
+        try_cut(&slices, (VoxelCut){axis, position, true, low + planar, high, 0}, best);
         if (planar > 0)
-            try_cut(voxel, (VoxelCut){axis, position, false, low, high + planar, 0}, best);
+            try_cut(&slices, (VoxelCut){axis, position, false, low, high + planar, 0}, best);
         low += planar + of_type[BOX_BEGINS];
     }
 }

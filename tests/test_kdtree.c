@@ -179,7 +179,7 @@ static void the_tree_should_not_depend_on_the_threads(void)
     scene_free(&scene);
 }
 
-/* --- How good it is: what a random line through the root costs, half a face test per step --- */
+/* --- How good it is: what a random line through the root costs, a step a face test --- */
 
 static double tree_cost(const KdTree *tree, int index, Box box)
 {
@@ -187,8 +187,7 @@ static double tree_cost(const KdTree *tree, int index, Box box)
     double area = box_half_area(box);
     if (node->axis == KDTREE_LEAF)
         return area * node->count;
-    return 0.5 * area + tree_cost(tree, index + 1, low_side(node, box)) +
-           tree_cost(tree, node->first, high_side(node, box));
+    return area + tree_cost(tree, index + 1, low_side(node, box)) + tree_cost(tree, node->first, high_side(node, box));
 }
 
 /* The same cost for a tree that halves space across its longest axis while a leaf has more than 8 faces, to depth 14. */
@@ -202,7 +201,7 @@ static double halving_cost(const Box *boxes, int count, Box box, int depth)
             node.axis = axis;
     node.split = (box.low[node.axis] + box.high[node.axis]) / 2;
     Box sides[] = {low_side(&node, box), high_side(&node, box)};
-    double cost = 0.5 * box_half_area(box);
+    double cost = box_half_area(box);
     Box *inside = malloc((size_t)count * sizeof *inside);
     TEST_ASSERT_NOT_NULL(inside);
     for (int side = 0; side < 2; side++) {
