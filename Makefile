@@ -188,6 +188,11 @@ stress: ## try the geometry by millions of rays, judged by exact arithmetic (SEE
 stability: $(STRESS) ## the same, written as a table into docs/stability.md
 	@.ci/stability $(STRESS) --seed $(SEED) --scale $(SCALE)
 
+# Each small fault of tests/mutants/list must make a named test fail.
+.PHONY: mutants
+mutants: programs ## put small faults into copies of the tree: a named test must fail for each (MUTANT=NAME; minutes)
+	@tests/mutants/run.py $(MUTANT)
+
 STRESS_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/stress/*.c)) $(BUILD)/tests/oracle.o
 SEED ?= 1
 SCALE ?= 1

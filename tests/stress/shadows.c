@@ -109,10 +109,13 @@ static void check_shadows(Suite *suite, Method method, const Shots *shots, int e
             suite_fail(suite, method, shots->rays + 6 * i, "%s", wrong);
 }
 
+/* Seen from before its normal or from behind it, as it falls. */
 static void self_hits_at(Suite *suite, double size, double offset)
 {
     Vec3 centre = vec3(offset, -0.7 * offset, 1.3 * offset);
     Rotation rotation = random_rotation(&suite->random);
+    if (random_below(&suite->random, 2)) /* left-handed: the square's vertices run the other way round */
+        rotation.z = vec3_negate(rotation.z);
     double occluder = 64 * method_ulp(KERNEL_FLOAT, largest(centre) + size);
     Vec3 light = vec3_rounded(vec3_add(centre, rotate(&rotation, vec3(0, 0, 4 * size))));
     Scene alone = scene_empty(), covered = scene_empty();
