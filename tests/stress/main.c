@@ -28,7 +28,6 @@ static const Test tests[] = {
     {10, "shadows", "Shadow rays end exactly before the light; no acne on coplanar tiles", test_shadows},
     {11, "light-on-face", "A light on a face, on its edge, behind it, at the hit point", test_light_on_face},
     {12, "axes", "Rays along axes and in planes, zeros of both signs", test_axes},
-#ifdef LATER
     {13, "trees", "Trees find what no tree finds: the same faces, the same bits of t", test_trees},
     {14, "bit-patterns", "Random bit patterns as vertices: refused with a reason, or traced", test_bit_patterns},
     {15, "bad-faces", "Bad faces: the verdict that docs/scene-format.md gives", test_bad_faces},
@@ -36,7 +35,6 @@ static const Test tests[] = {
     {17, "mirrors", "Facing mirrors: the geometric series", test_mirrors},
     {18, "translation", "A scene moved by 1e6: the same picture", test_translation},
     {19, "pictures", "Kernels against the reference, pixel by pixel", test_pictures},
-#endif
 };
 
 enum { TEST_COUNT = sizeof tests / sizeof tests[0] };
