@@ -16,6 +16,7 @@ static const Command commands[] = {
     {"cast", "SCENE", 1, 1, "Intersects rays with a scene: lines `ox oy oz dx dy dz` in, CSV out.", command_cast},
     {"check", "SCENE", 1, 1, "Validates a scene; tells what it holds, needs and can do without.", command_check},
     {"compare", "A.png B.png", 2, 2, "Measures how far two pictures differ.", command_compare},
+    {"bench", "[SCENE...]", 0, MAX_OPERANDS, "Measures how long scenes take to trace and to render.", command_bench},
     {"generate", "KIND", 1, 1, "Writes a scene of a given size: menger, city or grid.", command_generate},
     {"devices", "", 0, 0, "Lists the OpenCL devices.", command_devices},
     {0},

@@ -186,6 +186,23 @@ static bool set_with_scene(Options *o, const char *value)
     return o->with_scene = true;
 }
 
+static bool set_repeats(Options *o, const char *value)
+{
+    return read_int(value, 1, 99, '\0', &o->repeats);
+}
+
+static bool set_ladder(Options *o, const char *value)
+{
+    (void)value;
+    return o->ladder = true;
+}
+
+static bool set_json(Options *o, const char *value)
+{
+    (void)value;
+    return o->json = true;
+}
+
 static bool set_geometry(Options *o, const char *value)
 {
     (void)value;
@@ -213,11 +230,11 @@ static bool set_version(Options *o, const char *value)
 /* --- The table, in the order of --help --- */
 
 const Option option_table[] = {
-    {"output", 'o', "FILE", "render trace compare generate", set_output, "the name of a file, or - for standard output",
+    {"output", 'o', "FILE", "render trace compare generate bench", set_output, "the name of a file, or - for standard output",
      "write the output there; - is standard output"},
-    {"size", 's', "COLUMNSxROWS", "render trace", set_size, "two whole numbers from 1 to 16384, such as 640x480",
+    {"size", 's', "COLUMNSxROWS", "render trace bench", set_size, "two whole numbers from 1 to 16384, such as 640x480",
      "pixels of the picture, instead of the scene's"},
-    {"grid", 'g', "N", "render trace", set_grid, "a whole number from 1 to 16",
+    {"grid", 'g', "N", "render trace bench", set_grid, "a whole number from 1 to 16",
      "N x N rays per pixel, instead of the scene's"},
     {"bounces", 0, "N", "render trace", set_bounces, "a whole number from 0 to 64",
      "at most N reflected rays in a row, instead of the scene's"},
@@ -238,21 +255,24 @@ const Option option_table[] = {
     {"geometry", 0, NULL, "check", set_geometry, NULL, "print every face as it is traced, exactly"},
     {"tolerance", 0, "N", "compare", set_tolerance, "a whole number from 0 to 255",
      "accept pictures that differ by up to N of 255 (default 0)"},
+    {"ladder", 0, NULL, "bench", set_ladder, NULL, "measure the scenes that docs/performance.md stands on"},
+    {"repeats", 0, "N", "bench", set_repeats, "a whole number from 1 to 99", "pictures to take the median of (default 5)"},
+    {"json", 0, NULL, "bench", set_json, NULL, "print one JSON object instead of tables"},
     {"backend", 'b', "NAME", "render cast", set_backend, "opencl or reference",
      "opencl (default), or reference: plain C in double"},
-    {"device", 'd', "N", "render cast", set_device, "a number that `rectray devices` lists",
+    {"device", 'd', "N", "render cast bench", set_device, "a number that `rectray devices` lists",
      "the OpenCL device, as `rectray devices` numbers them"},
-    {"precision", 'p', "NAME", "render cast", set_precision, "float or double",
+    {"precision", 'p', "NAME", "render cast bench", set_precision, "float or double",
      "of the OpenCL kernel: float (default) or double"},
-    {"accel", 'a', "NAME", "render trace cast", set_accel, "auto, none, kdtree or bvh",
+    {"accel", 'a', "NAME", "render trace cast bench", set_accel, "auto, none, kdtree or bvh",
      "auto (default), none, kdtree or bvh: how to find faces"},
-    {"lanes", 0, "N", "render cast", set_lanes, "1, 4, 8 or 16", "rays that an OpenCL work-item traces: 1, 4, 8 or 16"},
-    {"threads", 't', "N", "render", set_threads, "a whole number from 1 to 1024", "processors to use (default: all)"},
+    {"lanes", 0, "N", "render cast bench", set_lanes, "1, 4, 8 or 16", "rays that an OpenCL work-item traces: 1, 4, 8 or 16"},
+    {"threads", 't', "N", "render bench", set_threads, "a whole number from 1 to 1024", "processors to use (default: all)"},
     {"stats", 0, "[=FORMAT]", "render cast", set_stats, "text or json",
      "tell what was done and how long it took: text or json"},
     {"progress", 0, "WHEN", "render", set_progress, "auto, always or never",
      "auto (default: on a terminal), always or never"},
-    {"quiet", 'q', NULL, "render check cast compare", set_quiet, NULL, "no messages but errors"},
+    {"quiet", 'q', NULL, "render check cast compare bench", set_quiet, NULL, "no messages but errors"},
     {"help", 'h', NULL, "", set_help, NULL, "show this help"},
     {"version", 'V', NULL, "", set_version, NULL, "show the version"},
     {0},

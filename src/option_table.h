@@ -23,13 +23,14 @@ typedef struct Options {
     int grid;
     int bounces;          /* -1: as the scene says */
     int tolerance;        /* of 255 */
+    int repeats;          /* of a measurement; 0: not given */
     int scene_size, seed; /* of a generated scene; size 0: not given */
     int pixel_column, pixel_row, sample_i, sample_j; /* of the walkthrough */
     WalkFormat format;
     StatsFormat stats;
     ProgressMode progress;
     bool precision_given, pixel_given;
-    bool quiet, geometry, verbose, with_scene, help, version;
+    bool quiet, geometry, verbose, with_scene, ladder, json, help, version;
 } Options;
 
 typedef struct Option {

@@ -1,0 +1,66 @@
+/* What bench measures, as data: how long scenes take to trace, in this process, beside a peer, and as whole
+ * processes. bench_report.h makes tables and JSON of it. Floor 5. */
+#ifndef RECTRAY_BENCH_H
+#define RECTRAY_BENCH_H
+
+#include "render.h"
+#include "scene.h"
+
+#define BENCH_FOLDER "build/bench" /* generated scenes, pictures, empty caches, the data of plots */
+#define BENCH_PEER "build/peers/embree"
+#define BENCH_EXPORT "build/peers/povray_export"
+
+enum { BENCH_MAX_REPEATS = 99, BENCH_NAME = 64 };
+
+/* A scene to measure; size 0x0 and grid 0 mean: as the scene says. */
+typedef struct BenchScene {
+    char name[BENCH_NAME], path[512];
+    int columns, rows, grid;
+} BenchScene;
+
+/* Times are medians, in milliseconds. */
+typedef struct BenchTrace {
+    BenchScene scene;
+    int faces, lights;
+    RenderReport report; /* of the last repeat */
+    double trace_ms, build_ms;
+    double fastest_ms, slowest_ms;
+    double primary_ms;          /* the same scene without lights: primary rays alone */
+    double unmirrored_ms;       /* without bounces: primary rays and their shadow rays */
+    uint64_t unmirrored_shadow; /* shadow rays of that */
+    bool has_peer;
+    char peer[64], peer_modes[3][64];                /* its name; how it asks for primary, shadow and reflected rays */
+    double peer_trace_ms, peer_build_ms, peer_share; /* share: of the time, inside the peer's own code */
+    double peer_bytes;
+    RayCounts peer_rays;
+} BenchTrace;
+
+typedef struct BenchPhases {
+    double parse, build, device, compile, upload, trace, readback, encode, total;
+} BenchPhases;
+
+/* A whole `render` process; wall_ms is measured from outside. */
+typedef struct BenchProcess {
+    BenchScene scene;
+    BenchPhases cold, warm;                            /* cold: with an empty kernel cache */
+    double cold_wall_ms, warm_wall_ms, povray_wall_ms; /* povray: 0 where it is not there */
+    double peak_bytes;
+} BenchProcess;
+
+/* Traces the scene `repeats` times after a warm-up, turn by turn with the peer where it is built. */
+bool bench_trace(BenchTrace *result, const BenchScene *scene, const RenderSettings *settings, int repeats,
+                 Error *error);
+
+/* Renders the scene by starting this program again and again. */
+bool bench_process(BenchProcess *result, const BenchScene *scene, int repeats, Error *error);
+
+/* The same for POV-Ray and the exported scene; leaves 0 where either program is missing. */
+bool bench_povray(BenchProcess *result, int repeats, Error *error);
+
+/* The scene's file BENCH_FOLDER/NAME.json, generated unless it is there. */
+bool bench_generate(BenchScene *scene, const char *kind, int size, Error *error);
+
+/* Sorts the times and returns the middle one, the mean of the middle two where their number is even. */
+double bench_median(double *times, int count);
+
+#endif

@@ -1,0 +1,172 @@
+/* Tracing measured in one process. The peer runs as a process of its own that answers each line with the time of one
+ * more picture, so that both meet the same weather: one of ours, one of its, and so on. */
+#include "bench.h"
+
+#include "opencl.h"
+#include "process.h"
+#include "scene_json.h"
+
+#include <cjson/cJSON.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double bench_median(double *times, int count)
+{
+    qsort(times, (size_t)count, sizeof *times, by_size);
+    return count == 0 ? 0 : (times[(count - 1) / 2] + times[count / 2]) / 2;
+}
+
+static bool drop_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
+                      Error *error)
+{
+    (void)user, (void)first_row, (void)rows, (void)rgb, (void)so_far, (void)error;
+    return true;
+}
+
+static bool trace_once(const Scene *scene, const RenderSettings *settings, RenderReport *report, Error *error)
+{
+    return opencl_render(scene, settings, (BandSink){drop_band, NULL}, report, error);
+}
+
+/* --- The peer --- */
+
+static bool peer_reads(BenchTrace *result, const char *line)
+{
+    cJSON *json = cJSON_Parse(line);
+    const cJSON *rays = cJSON_GetObjectItem(json, "rays"), *modes = cJSON_GetObjectItem(json, "modes");
+    static const char *const kinds[] = {"primary", "shadow", "reflection"};
+    uint64_t *counts[] = {&result->peer_rays.primary, &result->peer_rays.shadow, &result->peer_rays.reflection};
+    bool ok = json && rays && modes;
+    for (int i = 0; i < 3 && ok; i++) {
+        const char *mode = cJSON_GetStringValue(cJSON_GetObjectItem(modes, kinds[i]));
+        *counts[i] = (uint64_t)cJSON_GetNumberValue(cJSON_GetObjectItem(rays, kinds[i]));
+        snprintf(result->peer_modes[i], sizeof result->peer_modes[i], "%s", *counts[i] > 0 && mode ? mode : "none");
+    }
+    const char *name = cJSON_GetStringValue(cJSON_GetObjectItem(json, "peer"));
+    snprintf(result->peer, sizeof result->peer, "%s", name ? name : "peer");
+    result->peer_build_ms = cJSON_GetNumberValue(cJSON_GetObjectItem(json, "build_ms"));
+    result->peer_bytes = cJSON_GetNumberValue(cJSON_GetObjectItem(json, "build_bytes"));
+    result->peer_share = cJSON_GetNumberValue(cJSON_GetObjectItem(json, "share_inside_embree"));
+    cJSON_Delete(json);
+    return ok;
+}
+
+/* Starts the peer where it is built, and lets it find its fastest way. */
+static bool peer_start(Process *peer, BenchTrace *result, Error *error)
+{
+    *peer = (Process){0};
+    if (access(BENCH_PEER, X_OK) != 0)
+        return true;
+    char size[32], grid[16], line[2048];
+    snprintf(size, sizeof size, "%dx%d", result->scene.columns, result->scene.rows);
+    snprintf(grid, sizeof grid, "%d", result->scene.grid);
+    const char *argv[] = {BENCH_PEER, result->scene.path, "--size", size, "--grid", grid, "--serve", NULL};
+    if (!process_start(peer, argv, error))
+        return false;
+    result->has_peer = fgets(line, sizeof line, peer->from) && peer_reads(result, line);
+    return result->has_peer || error_set(error, ERROR_SYSTEM, "%s does not answer", BENCH_PEER);
+}
+
+static bool peer_trace(Process *peer, double *ms, Error *error)
+{
+    char line[64];
+    fputs("\n", peer->to);
+    fflush(peer->to);
+    if (!fgets(line, sizeof line, peer->from))
+        return error_set(error, ERROR_SYSTEM, "%s has ended", BENCH_PEER);
+    *ms = strtod(line, NULL);
+    return true;
+}
+
+/* --- Ours --- */
+
+/* Both in turn. */
+static bool trace_in_turns(BenchTrace *result, const Scene *scene, const RenderSettings *settings, Process *peer,
+                           int repeats, Error *error)
+{
+    double ours[BENCH_MAX_REPEATS], builds[BENCH_MAX_REPEATS], theirs[BENCH_MAX_REPEATS];
+    for (int i = -1; i < repeats; i++) { /* -1: to warm up */
+        int at = i < 0 ? 0 : i;
+        if (!trace_once(scene, settings, &result->report, error) ||
+            (peer->pid && !peer_trace(peer, &theirs[at], error)))
+            return false;
+        ours[at] = result->report.trace_ms;
+        builds[at] = result->report.build_ms;
+    }
+    result->trace_ms = bench_median(ours, repeats);
+    result->fastest_ms = ours[0];
+    result->slowest_ms = ours[repeats - 1];
+    result->build_ms = bench_median(builds, repeats);
+    if (peer->pid)
+        result->peer_trace_ms = bench_median(theirs, repeats);
+    return true;
+}
+
+static bool trace_median(const Scene *scene, const RenderSettings *settings, int repeats, double *ms, uint64_t *shadow,
+                         Error *error)
+{
+    double times[BENCH_MAX_REPEATS];
+    for (int i = 0; i < repeats; i++) {
+        RenderReport report;
+        if (!trace_once(scene, settings, &report, error))
+            return false;
+        times[i] = report.trace_ms;
+        *shadow = report.rays.shadow;
+    }
+    *ms = bench_median(times, repeats);
+    return true;
+}
+
+/* The time of a kind of ray is the time that the picture takes longer with it. */
+static bool trace_by_kind(BenchTrace *result, const Scene *scene, const RenderSettings *settings, int repeats,
+                          Error *error)
+{
+    uint64_t none;
+    Scene part = *scene;
+    part.shading.max_bounces = 0;
+    result->unmirrored_ms = result->trace_ms;
+    result->unmirrored_shadow = result->report.rays.shadow;
+    if (result->report.rays.reflection > 0 &&
+        !trace_median(&part, settings, repeats, &result->unmirrored_ms, &result->unmirrored_shadow, error))
+        return false;
+    part.light_count = 0;
+    return trace_median(&part, settings, repeats, &result->primary_ms, &none, error);
+}
+
+static void settle_screen(BenchScene *wanted, Scene *scene)
+{
+    if (wanted->columns > 0) {
+        scene->screen.columns = wanted->columns;
+        scene->screen.rows = wanted->rows;
+    }
+    if (wanted->grid > 0)
+        scene->grid = wanted->grid;
+    wanted->columns = scene->screen.columns;
+    wanted->rows = scene->screen.rows;
+    wanted->grid = scene->grid;
+}
+
+bool bench_trace(BenchTrace *result, const BenchScene *wanted, const RenderSettings *settings, int repeats,
+                 Error *error)
+{
+    Scene scene;
+    Process peer = {0};
+    *result = (BenchTrace){.scene = *wanted};
+    if (!scene_load(&scene, wanted->path, error))
+        return false;
+    settle_screen(&result->scene, &scene);
+    result->faces = scene.face_count;
+    result->lights = scene.light_count;
+    bool done = peer_start(&peer, result, error) && trace_in_turns(result, &scene, settings, &peer, repeats, error) &&
+                trace_by_kind(result, &scene, settings, repeats, error);
+    process_end(&peer);
+    scene_free(&scene);
+    return done;
+}
