@@ -224,10 +224,26 @@ build/unity/unity.c:
 PEERS := $(BUILD)/peers/embree $(BUILD)/peers/povray_export
 PEER_CFLAGS := -std=gnu99 -O3 -march=native -mprefer-vector-width=512 -ffast-math $(WARNINGS)
 
+# plots FOLDER: draws what the last `bench --ladder` measured.
+plots = for plot in docs/plots/*.gp; do gnuplot -e "folder='build/bench'; out='$(1)'" $$plot; done
+
+.PHONY: bench
+bench: ## measure the ladder of scenes: tables here, plots in build/bench/ (many minutes)
+	@$(SETUP) build run bench
+	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	$(PROGRAM) bench --ladder
+	@$(call plots,build/bench)
+
+.PHONY: bench-peers
+bench-peers: peers ## the same beside Embree and POV-Ray: renews docs/performance.md and its plots
+	@$(SETUP) build run bench peers
+	$(PROGRAM) bench --ladder -o docs/performance.md
+	@$(call plots,docs/images)
+
 .PHONY: peers
 peers: ## build the programs of tests/peers/ that ours is measured against
 	@$(SETUP) build peers
-	@$(MAKE) --no-print-directory $(PEERS)
+	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(PEERS)
 
 $(BUILD)/peers/%: tests/peers/%.c $(wildcard tests/peers/peer_*.[ch]) $(LIBRARY)
 	@mkdir -p $(@D)
@@ -279,7 +295,7 @@ clean: ## remove everything that was built
 .PHONY: help
 help: ## this list
 	@echo "Usage: make [TARGET] [VARIABLE=VALUE]... (V=1 shows the commands, WERROR= forgives warnings)"
-	@sed -n 's/^\([a-z-]*\):.*## /    make \1\t/p' Makefile | expand -t 20
+	@sed -n 's/^\([a-z-]*\):.*## /    make \1\t/p' Makefile | expand -t 22
 
 .DELETE_ON_ERROR:
 .SECONDARY:
