@@ -61,7 +61,7 @@ static bool render_session(OpenclSession *session, const Scene *scene, const Ren
                            RenderReport *report, Error *error)
 {
     SceneOnDevice on_device;
-    if (!opencl_prepare(session, scene, settings, &on_device, report, error))
+    if (!opencl_prepare(session, "render", scene, settings, &on_device, report, error))
         return false;
     int most_rows = band_limit(session, scene);
     size_t bytes = (size_t)most_rows * (size_t)scene->screen.columns * 3;

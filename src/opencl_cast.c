@@ -51,6 +51,8 @@ static bool cast_session(OpenclSession *session, const Scene *scene, const Scene
     bool ok = opencl_launch(session, on_device, kernel, &parameters, items, report, error) &&
               opencl_read(session, face_buffer, rays * sizeof(cl_int), arrays->faces, report, error) &&
               opencl_read(session, t_buffer, rays * arrays->t_bytes, arrays->t, report, error);
+    if (ok)
+        opencl_keep(session);
     clReleaseKernel(kernel);
     return ok;
 }
@@ -64,7 +66,7 @@ bool opencl_cast(const Scene *scene, const RenderSettings *settings, const doubl
     OpenclSession session = {0};
     CastArrays arrays = {0};
     SceneOnDevice on_device;
-    bool ok = opencl_prepare(&session, scene, settings, &on_device, report, error) &&
+    bool ok = opencl_prepare(&session, "cast", scene, settings, &on_device, report, error) &&
               cast_arrays(&arrays, &session, rays, count, error) &&
               cast_session(&session, scene, &on_device, &arrays, count, report, error);
     for (long i = 0; ok && i < count; i++) {

@@ -79,23 +79,76 @@ static bool report_build_failure(OpenclSession *session, cl_int status, Error *e
     return false;
 }
 
-static bool build_program(OpenclSession *session, const Sources *sources, TreeOptions tree, RenderReport *report, Error *error)
+static void write_options(const OpenclSession *session, TreeOptions tree, RenderReport *report)
 {
+    int accel = tree.kind == ACCEL_BVH ? 1 : tree.kind == ACCEL_KDTREE ? 2 : 0;
     snprintf(report->build_options, sizeof report->build_options,
              "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DTILE_COLUMNS=%d -DTILE_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
              "-DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
              session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double, session->tile_columns,
-             session->tile_rows, tree.kind == ACCEL_BVH ? 1 : tree.kind == ACCEL_KDTREE ? 2 : 0, tree.node_width, tree.stack_size, (int)sizeof(FaceRecord),
-             (int)sizeof(Parameters));
+             session->tile_rows, accel, tree.node_width, tree.stack_size, (int)sizeof(FaceRecord), (int)sizeof(Parameters));
+}
+
+static CacheKey key_of(const OpenclSession *session, const Sources *sources, const char *name, const char *options)
+{
+    const DeviceInfo *info = &session->info;
+    const char *place[] = {info->platform, info->name, info->version, info->driver, options, name};
+    CacheKey key = {CACHE_HASH_START, CACHE_HASH_START};
+    for (size_t i = 0; i < sizeof place / sizeof place[0]; i++)
+        key.place = cache_hash(key.place, place[i]);
+    for (int i = 0; i < 2 * sources->count; i++)
+        key.sources = cache_hash(key.sources, sources->texts[i]);
+    return key;
+}
+
+/* Builds what an earlier run has kept; false if there is none, or the device does not take it any more. */
+static bool build_kept(OpenclSession *session, const char *options)
+{
+    size_t size;
+    unsigned char *binary = cache_load(session->key, &size);
+    if (!binary)
+        return false;
+    cl_int taken = CL_SUCCESS, status;
+    session->program = clCreateProgramWithBinary(session->context, 1, &session->device, &size,
+                                                 (const unsigned char **)&binary, &taken, &status);
+    free(binary);
+    if (status == CL_SUCCESS && taken == CL_SUCCESS)
+        status = clBuildProgram(session->program, 1, &session->device, options, NULL, NULL);
+    if (status == CL_SUCCESS && taken == CL_SUCCESS)
+        return true;
+    if (session->program)
+        clReleaseProgram(session->program);
+    session->program = NULL;
+    return false;
+}
+
+static bool build_program(OpenclSession *session, const Sources *sources, const char *options, Error *error)
+{
+    if (build_kept(session, options))
+        return true;
+    session->from_source = true;
     cl_int status;
     session->program = clCreateProgramWithSource(session->context, (cl_uint)(2 * sources->count),
                                                  (const char **)sources->texts, NULL, &status);
     if (!opencl_ok(error, status, "clCreateProgramWithSource"))
         return false;
-    status = clBuildProgram(session->program, 1, &session->device, report->build_options, NULL, NULL);
+    status = clBuildProgram(session->program, 1, &session->device, options, NULL, NULL);
     if (status != CL_SUCCESS)
         return report_build_failure(session, status, error);
     return true;
+}
+
+void opencl_keep(OpenclSession *session)
+{
+    size_t size = 0;
+    if (!session->from_source ||
+        clGetProgramInfo(session->program, CL_PROGRAM_BINARY_SIZES, sizeof size, &size, NULL) != CL_SUCCESS || size == 0)
+        return;
+    unsigned char *binary = malloc(size);
+    if (binary && clGetProgramInfo(session->program, CL_PROGRAM_BINARIES, sizeof binary, &binary, NULL) == CL_SUCCESS)
+        cache_store(session->key, binary, size);
+    free(binary);
+    session->from_source = false;
 }
 
 static bool open_context(OpenclSession *session, Error *error)
@@ -121,14 +174,18 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
     return true;
 }
 
-bool opencl_build(OpenclSession *session, TreeOptions tree, RenderReport *report, Error *error)
+bool opencl_build(OpenclSession *session, const char *name, TreeOptions tree, RenderReport *report, Error *error)
 {
     double start = clock_ms();
     Sources sources = {.count = 0};
     bool ok = true;
     for (int i = 0; ok && i < kernel_source_count; i++)
         ok = sources_add(&sources, i, getenv("RECTRAY_KERNELS"), error);
-    ok = ok && build_program(session, &sources, tree, report, error);
+    if (ok) {
+        write_options(session, tree, report);
+        session->key = key_of(session, &sources, name, report->build_options);
+        ok = build_program(session, &sources, report->build_options, error);
+    }
     sources_free(&sources);
     report->accel = tree.kind;
     report->compile_ms = clock_ms() - start;

@@ -2,6 +2,7 @@
 #ifndef RECTRAY_OPENCL_PROGRAM_H
 #define RECTRAY_OPENCL_PROGRAM_H
 
+#include "opencl_cache.h"
 #include "opencl_device.h"
 
 enum { OPENCL_MAX_BUFFERS = 16 };
@@ -16,6 +17,8 @@ typedef struct OpenclSession {
     cl_context context;
     cl_command_queue queue;
     cl_program program;
+    CacheKey key;     /* of the program */
+    bool from_source; /* it was compiled in this run, not kept from an earlier one */
     cl_mem buffers[OPENCL_MAX_BUFFERS];
     int buffer_count;
 } OpenclSession;
@@ -30,10 +33,13 @@ typedef struct TreeOptions {
     int stack_size;   /* nodes that a walk may have to remember */
 } TreeOptions;
 
-/* Builds the kernels: those embedded in the program, or the files of the folder that the environment variable
- * RECTRAY_KERNELS names. Time and build options go to the report. A kernel that does not compile is an ERROR_SYSTEM with
- * the compiler's log. */
-bool opencl_build(OpenclSession *session, TreeOptions tree, RenderReport *report, Error *error);
+/* Builds the program for running the kernel `name`: from the sources embedded in rectray, or from the files of the folder that
+ * the environment variable RECTRAY_KERNELS names, or from what an earlier run has kept of the same sources. Time and build
+ * options go to the report. A kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
+bool opencl_build(OpenclSession *session, const char *name, TreeOptions tree, RenderReport *report, Error *error);
+
+/* Keeps the program for later runs if it was compiled in this one; to be called when the kernel has run once. */
+void opencl_keep(OpenclSession *session);
 
 void opencl_close(OpenclSession *session);
 

@@ -67,14 +67,14 @@ static bool build_tree(const OpenclSession *session, const Scene *scene, const R
     return ok;
 }
 
-bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings, SceneOnDevice *on_device,
-                    RenderReport *report, Error *error)
+bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene, const RenderSettings *settings,
+                    SceneOnDevice *on_device, RenderReport *report, Error *error)
 {
     Accel accel = {.kind = ACCEL_NONE};
     DeviceTree tree = {0};
     bool ok = opencl_open(session, settings, report, error) &&
               build_tree(session, scene, settings, &accel, &tree, report, error) &&
-              opencl_build(session, (TreeOptions){accel.kind, tree.node_width, tree.stack_size}, report, error) &&
+              opencl_build(session, name, (TreeOptions){accel.kind, tree.node_width, tree.stack_size}, report, error) &&
               upload(session, scene, &accel, &tree, on_device, report, error);
     accel_free(&accel);
     device_tree_free(&tree);
@@ -137,6 +137,8 @@ bool opencl_warm_up(OpenclSession *session, const SceneOnDevice *on_device, cl_k
     parameters.band_rows = 0;
     parameters.ray_count = 0;
     bool ok = write_launch(session, on_device, &parameters, error) && opencl_run(session, kernel, 1, error);
+    if (ok)
+        opencl_keep(session);
     report->compile_ms += clock_ms() - start;
     return ok;
 }

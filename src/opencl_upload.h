@@ -11,15 +11,16 @@ typedef struct SceneOnDevice {
     cl_mem parameters, faces, edges, planes, materials, lights, view, counters, tree_floats, tree_ints;
 } SceneOnDevice;
 
-/* From settings and a scene to a session with kernels and buffers; the session is to be closed also after a failure. Times
- * go to the report. */
-bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings, SceneOnDevice *on_device,
-                    RenderReport *report, Error *error);
+/* From settings and a scene to a session with buffers and a program for the kernel `name`; the session is to be closed also
+ * after a failure. Times go to the report. */
+bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene, const RenderSettings *settings,
+                    SceneOnDevice *on_device, RenderReport *report, Error *error);
 
 /* What the kernels are told of the scene; the caller adds the band or the number of rays. */
 Parameters opencl_parameters(const Scene *scene);
 
-/* A launch without work: some devices compile a kernel when it first runs, and that is no part of tracing. */
+/* A launch without work: some devices compile a kernel when it first runs, and that is no part of tracing. Then the program
+ * is kept for later runs. */
 bool opencl_warm_up(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel, Parameters parameters,
                     RenderReport *report, Error *error);
 
