@@ -24,8 +24,7 @@ typedef struct Slab {
 
 typedef struct Bundle {
     Slab slabs[3];
-    Lanes scale; /* t of a lane * scale = distance along the scaled direction */
-    real reach;  /* no ray of the bundle goes farther than this */
+    real reach; /* no ray of the bundle goes farther than this */
 } Bundle;
 
 #define REACH_ALL ((real)1e30f)
@@ -34,12 +33,12 @@ typedef struct Bundle {
 INLINE real lowest(Lanes x, Mask active) { return lanes_lowest(active ? x : (Lanes)REACH_ALL); }
 INLINE real highest(Lanes x, Mask active) { return -lowest(-x, active); }
 
-INLINE Slab slab(Lanes origin, Lanes direction, Mask active)
+INLINE Slab slab(Lanes origin, Lanes direction, Mask active, bool shared_origin)
 {
     Slab s;
     real low = lowest(direction, active), high = highest(direction, active);
-    s.origin_low = lowest(origin, active);
-    s.origin_high = highest(origin, active);
+    s.origin_low = shared_origin ? first_lane(origin) : lowest(origin, active);
+    s.origin_high = shared_origin ? s.origin_low : highest(origin, active);
     /* They have been rounded to real. */
     s.origin_low -= 2 * REAL_ROUNDING * fabs(s.origin_low);
     s.origin_high += 2 * REAL_ROUNDING * fabs(s.origin_high);
@@ -50,14 +49,12 @@ INLINE Slab slab(Lanes origin, Lanes direction, Mask active)
     return s;
 }
 
-INLINE Bundle bundle(const Line *l, Mask active)
+INLINE Bundle bundle(const Line *l, Mask active, bool shared_origin)
 {
     Bundle b;
-    b.scale = vec_largest(l->direction);
-    Lanes shrink = 1 / b.scale;
-    b.slabs[0] = slab(l->origin.x, l->direction.x * shrink, active);
-    b.slabs[1] = slab(l->origin.y, l->direction.y * shrink, active);
-    b.slabs[2] = slab(l->origin.z, l->direction.z * shrink, active);
+    b.slabs[0] = slab(l->origin.x, l->scaled.x, active, shared_origin);
+    b.slabs[1] = slab(l->origin.y, l->scaled.y, active, shared_origin);
+    b.slabs[2] = slab(l->origin.z, l->scaled.z, active, shared_origin);
     b.reach = REACH_ALL;
     return b;
 }

@@ -15,6 +15,8 @@ typedef struct Ray {
 /* What the edge functions need of a ray: s_k = R . moment_k + (O x R) . direction_k = det(R, v[k] - O, v[k+1] - O). */
 typedef struct Line {
     Vec origin, direction, moment;
+    Vec scaled;  /* the direction divided by the largest magnitude of its components, which is */
+    Lanes scale;
     Lanes direction_bound, moment_bound; /* rounding error per unit of FACE_MOMENT_BOUND, FACE_DIRECTION_BOUND */
 } Line;
 
@@ -25,6 +27,8 @@ INLINE Line line(Vec origin, Vec direction)
     l.direction = direction;
     l.moment = vec_cross(origin, direction);
     Lanes largest = vec_largest(direction);
+    l.scale = largest;
+    l.scaled = vec_scale(1 / largest, direction);
     l.direction_bound = (10 * REAL_ROUNDING) * largest;
     l.moment_bound = (10 * REAL_ROUNDING) * (vec_largest(l.moment) + vec_largest(origin) * largest) + REAL_FLOOR;
     return l;

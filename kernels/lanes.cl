@@ -234,6 +234,15 @@ static uint mask_count(Mask mask) { return popcount(mask_bits(mask)); }
 /* The number of the lowest bit that is set; there is one. */
 static int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
 
+static real first_lane(Lanes x)
+{
+#if LANES == 1
+    return x;
+#else
+    return x.s0;
+#endif
+}
+
 /* The lowest value of all lanes, by halves. */
 static real lanes_lowest(Lanes x)
 {

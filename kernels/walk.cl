@@ -3,16 +3,16 @@
 #if ACCEL != ACCEL_NONE
 
 /* How far the bundle still has to look: to the farthest of its rays' nearest hits. */
-INLINE real reach_of(const NearestQuery *q, const Bundle *b)
+INLINE real reach_of(const NearestQuery *q)
 {
     Wide nearest = q->nearest.t_in_box;
-    Lanes t = TO_REAL(nearest < (Wide)REACH_ALL ? nearest : (Wide)REACH_ALL) * b->scale;
+    Lanes t = TO_REAL(nearest < (Wide)REACH_ALL ? nearest : (Wide)REACH_ALL) * q->line.scale;
     return GROWN(highest(t < (Lanes)REACH_ALL ? t : (Lanes)REACH_ALL, q->active));
 }
 
-INLINE void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, Counters *counters)
+INLINE void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, bool from_eye, Counters *counters)
 {
-    Bundle b = bundle(&q->line, q->active);
+    Bundle b = bundle(&q->line, q->active, from_eye);
     Stack stack = stack_of(tree, &b);
     uint lanes = mask_count(q->active);
     for (int first, count; next_leaf(tree, &b, &stack, &first, &count, counters);) {
@@ -21,14 +21,14 @@ INLINE void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, C
             nearer |= ask_nearest(g, q, face_in_leaf(tree, i));
         counters->kinds[COUNT_FACE_TESTS] += lanes * (uint)count;
         if (nearer)
-            b.reach = reach_of(q, &b);
+            b.reach = reach_of(q);
     }
 }
 
 INLINE void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, Counters *counters)
 {
-    Bundle b = bundle(&q->line, q->active);
-    b.reach = GROWN(highest(b.scale, q->active));
+    Bundle b = bundle(&q->line, q->active, true);
+    b.reach = GROWN(highest(q->line.scale, q->active));
     Stack stack = stack_of(tree, &b);
     for (int first, count; next_leaf(tree, &b, &stack, &first, &count, counters);) {
         counters->kinds[COUNT_FACE_TESTS] += mask_count(q->active) * (uint)count;
@@ -39,9 +39,9 @@ INLINE void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, C
 }
 
 /* The active lanes whose direction is like that of the first active one. */
-INLINE Mask like_first(Vec direction, Mask active)
+INLINE Mask like_first(const Line *l, Mask active)
 {
-    Vec d = vec_scale(1 / vec_largest(direction), direction);
+    Vec d = l->scaled;
     real x[LANES], y[LANES], z[LANES];
     STORE(d.x, x);
     STORE(d.y, y);
@@ -54,7 +54,7 @@ INLINE Mask like_first(Vec direction, Mask active)
 
 #else
 
-INLINE void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, Counters *counters)
+INLINE void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, bool from_eye, Counters *counters)
 {
     for (int i = 0; i < g->face_count; i++)
         ask_nearest(g, q, i);
@@ -70,13 +70,13 @@ INLINE void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, C
     }
 }
 
-INLINE Mask like_first(Vec direction, Mask active) { return active; }
+INLINE Mask like_first(const Line *l, Mask active) { return active; }
 
 #endif
 
 /* The nearest face in front of each active lane, leaving out the face that it leaves; of equal t the first in the file.
- * `alike` promises that the directions differ little. */
-static Nearest find_nearest(const Geometry *g, const Tree *tree, Ray ray, Mask active, Mask left, bool alike,
+ * `from_eye` promises one origin and directions that differ little. */
+static Nearest find_nearest(const Geometry *g, const Tree *tree, Ray ray, Mask active, Mask left, bool from_eye,
                             Counters *counters)
 {
     NearestQuery q;
@@ -87,8 +87,8 @@ static Nearest find_nearest(const Geometry *g, const Tree *tree, Ray ray, Mask a
     q.nearest.face = q.nearest.index = (Mask)-1;
     q.nearest.with_normal = (Mask)0;
     for (Mask rest = active; ANY(rest); rest &= ~q.active) {
-        q.active = alike ? rest : like_first(q.line.direction, rest);
-        walk_nearest(g, tree, &q, counters);
+        q.active = from_eye ? rest : like_first(&q.line, rest);
+        walk_nearest(g, tree, &q, from_eye, counters);
     }
     return q.nearest;
 }
@@ -107,7 +107,7 @@ static Mask find_blocked(const Geometry *g, const Tree *tree, WideVec origin, co
     q.left = left;
     q.blocked = (Mask)0;
     for (Mask rest = active; ANY(rest);) {
-        q.active = like_first(q.line.direction, rest);
+        q.active = like_first(&q.line, rest);
         rest &= ~q.active;
         walk_blocked(g, tree, &q, counters);
     }
