@@ -202,7 +202,7 @@ $(STRESS): $(STRESS_OBJECTS) $(LIBRARY)
 	$(Q)$(LINK) $^ $(LIBS) -lgmp -o $@
 
 $(BUILD)/tests/stress/%.o: CPPFLAGS += -Itests -I$(BUILD)/tests/stress
-$(BUILD)/tests/stress/probe.o: $(BUILD)/tests/stress/probe_cl.inc
+$(BUILD)/tests/stress/probe_sources.o: $(BUILD)/tests/stress/probe_cl.inc
 
 $(BUILD)/tests/stress/probe_cl.inc: tests/stress/probe.cl Makefile
 	@mkdir -p $(@D)

@@ -26,8 +26,14 @@ static void vector_each(void (*act)(mpz_t), Integers vector)
         act(vector[i]);
 }
 
-static void init_one(mpz_t x) { mpz_init(x); }
-static void clear_one(mpz_t x) { mpz_clear(x); }
+static void init_one(mpz_t x)
+{
+    mpz_init(x);
+}
+static void clear_one(mpz_t x)
+{
+    mpz_clear(x);
+}
 
 static void work_each(void (*act)(mpz_t))
 {

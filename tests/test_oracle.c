@@ -9,8 +9,14 @@
 #include <stdint.h>
 #include <string.h>
 
-void setUp(void) { oracle_integers_only = false; }
-void tearDown(void) { oracle_free(); }
+void setUp(void)
+{
+    oracle_integers_only = false;
+}
+void tearDown(void)
+{
+    oracle_free();
+}
 
 static uint64_t random_state = 1;
 
@@ -22,14 +28,23 @@ static uint64_t random_bits(void) /* splitmix64 (Steele, Lea and Flood 2014) */
     return z ^ (z >> 31);
 }
 
-static int random_int(int low, int high) { return low + (int)(random_bits() % (uint64_t)(high - low + 1)); }
+static int random_int(int low, int high)
+{
+    return low + (int)(random_bits() % (uint64_t)(high - low + 1));
+}
 
 /* --- Vectors of rationals --- */
 
 typedef mpq_t Rationals[3];
 
-static void rationals_init(Rationals a) { mpq_inits(a[0], a[1], a[2], NULL); }
-static void rationals_clear(Rationals a) { mpq_clears(a[0], a[1], a[2], NULL); }
+static void rationals_init(Rationals a)
+{
+    mpq_inits(a[0], a[1], a[2], NULL);
+}
+static void rationals_clear(Rationals a)
+{
+    mpq_clears(a[0], a[1], a[2], NULL);
+}
 
 static void rationals_set(Rationals a, const double *numbers)
 {
@@ -72,8 +87,8 @@ static void rationals_dot(mpq_t out, Rationals a, Rationals b)
 
 typedef struct TextbookHit {
     bool hit;
-    int side;  /* of the origin */
-    mpq_t t;   /* where the ray is not parallel */
+    int side; /* of the origin */
+    mpq_t t;  /* where the ray is not parallel */
     bool parallel;
 } TextbookHit;
 
@@ -167,7 +182,8 @@ static int small_face(float face[4][3], double scale)
             side[0][i] = random_int(-3, 3);
             side[1][i] = random_int(-3, 3);
         }
-        int x = side[0][1] * side[1][2] - side[0][2] * side[1][1], y = side[0][2] * side[1][0] - side[0][0] * side[1][2];
+        int x = side[0][1] * side[1][2] - side[0][2] * side[1][1],
+            y = side[0][2] * side[1][0] - side[0][0] * side[1][2];
         if (x != 0 || y != 0 || side[0][0] * side[1][1] != side[0][1] * side[1][0])
             break;
     }

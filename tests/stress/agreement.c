@@ -18,8 +18,8 @@ static void add_random_face(Scene *scene, Random *random)
         return;
     }
     double u = random_in(random, 0.6, 1), v = random_in(random, 0.6, 1);
-    const Vec3 corners[4] = {middle, vec3_add(middle, a), vec3_add(middle, vec3_add(vec3_scale(u, a), vec3_scale(v, b))),
-                             vec3_add(middle, b)};
+    const Vec3 corners[4] = {middle, vec3_add(middle, a),
+                             vec3_add(middle, vec3_add(vec3_scale(u, a), vec3_scale(v, b))), vec3_add(middle, b)};
     scene_add(scene, corners, 4);
 }
 
@@ -58,8 +58,11 @@ void test_agreement(Suite *suite)
         suite_row(suite, near_edge ? "within 8 ulp of an edge" : "random rays");
         for (int i = 0; i < SCENES; i++) {
             suite_load(suite, &scenes[i]);
-            suite_cast(suite, &(Cast){.count = 1e7 / SCENES, .user = &scenes[i], .aim = near_edge ? aim_near_edge : aim_anywhere,
-                                      .truth = true_nearest, .check = check_nearest});
+            suite_cast(suite, &(Cast){.count = 1e7 / SCENES,
+                                      .user = &scenes[i],
+                                      .aim = near_edge ? aim_near_edge : aim_anywhere,
+                                      .truth = true_nearest,
+                                      .check = check_nearest});
         }
     }
     for (int i = 0; i < SCENES; i++)

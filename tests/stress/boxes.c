@@ -49,7 +49,8 @@ static void aim_from_inside(void *user, Random *random, double ray[6])
     vec3_put(ray + 3, vec3_sub(seam_point(box, random), origin));
 }
 
-static const char *check_no_escape(void *user, const Scene *scene, Method method, const double ray[6], int truth, CastHit hit)
+static const char *check_no_escape(void *user, const Scene *scene, Method method, const double ray[6], int truth,
+                                   CastHit hit)
 {
     (void)user, (void)scene, (void)method, (void)ray, (void)truth;
     return hit.face < 0 ? "an escape" : NULL;
@@ -66,7 +67,9 @@ void test_boxes(Suite *suite)
         Scene scene = scene_empty();
         scene_add_box(&scene, box.corner, box.edges[0], box.edges[1], box.edges[2]);
         suite_load(suite, &scene);
-        suite_cast(suite, &(Cast){.count = 10000 / suite->scale, .user = &box, .aim = aim_from_inside, .check = check_no_escape});
+        suite_cast(
+            suite,
+            &(Cast){.count = 10000 / suite->scale, .user = &box, .aim = aim_from_inside, .check = check_no_escape});
         scene_free(&scene);
     }
 }
@@ -97,7 +100,9 @@ void test_nested(Suite *suite)
             scene_add_box(&scene, boxes[i].corner, boxes[i].edges[0], boxes[i].edges[1], boxes[i].edges[2]);
         }
         suite_load(suite, &scene);
-        suite_cast(suite, &(Cast){.count = 1e5, .user = boxes, .aim = aim_at_nested, .truth = true_nearest, .check = check_nearest});
+        suite_cast(
+            suite,
+            &(Cast){.count = 1e5, .user = boxes, .aim = aim_at_nested, .truth = true_nearest, .check = check_nearest});
         scene_free(&scene);
     }
 }

@@ -25,7 +25,8 @@ static void aim_at_sheet(void *user, Random *random, double ray[6])
     vec3_put(ray + 3, rotate(&sheet->rotation, vec3_sub(target, origin)));
 }
 
-static const char *note_error(void *user, const Scene *scene, Method method, const double ray[6], int truth, CastHit hit)
+static const char *note_error(void *user, const Scene *scene, Method method, const double ray[6], int truth,
+                              CastHit hit)
 {
     (void)truth;
     Errors *errors = user;
@@ -68,8 +69,8 @@ void test_t(Suite *suite)
             errors.count[method] = 0;
         suite_cast(suite, &(Cast){.count = 5e5, .user = &errors, .aim = aim_at_sheet, .check = note_error});
         for (Method method = 0; method < METHOD_COUNT; method++)
-            suite_measure(suite, method, errors.count[method], percentile(errors.ulps[method], errors.count[method], 0.99),
-                          limits[method]);
+            suite_measure(suite, method, errors.count[method],
+                          percentile(errors.ulps[method], errors.count[method], 0.99), limits[method]);
         scene_free(&sheet.scene);
     }
     for (Method method = 0; method < METHOD_COUNT; method++)
@@ -87,7 +88,8 @@ typedef struct Graze {
 static void aim_grazing(void *user, Random *random, double ray[6])
 {
     const Graze *graze = user;
-    Vec3 target = vec3(random_in(random, -0.51, 0.51) * graze->length, random_in(random, -0.51, 0.51) * graze->width, 0);
+    Vec3 target =
+        vec3(random_in(random, -0.51, 0.51) * graze->length, random_in(random, -0.51, 0.51) * graze->width, 0);
     double turn = random_in(random, 0, 6.283185307179586);
     Vec3 along = vec3(cos(turn), sin(turn), random_below(random, 2) ? graze->sine : -graze->sine);
     Vec3 origin = vec3_sub(target, vec3_scale(graze->length * random_in(random, 1, 3), along));
@@ -101,7 +103,8 @@ static int true_hit(const Scene *scene, const double ray[6])
 }
 
 /* t lies between the vertices, as the ray meets them one after the other, but for 4 ulp. */
-static const char *check_graze(void *user, const Scene *scene, Method method, const double ray[6], int truth, CastHit hit)
+static const char *check_graze(void *user, const Scene *scene, Method method, const double ray[6], int truth,
+                               CastHit hit)
 {
     (void)user;
     if (hit.face != truth)
@@ -127,7 +130,8 @@ void test_grazing(Suite *suite)
             suite_row(suite, "90 - 1e-%d degrees, aspect 1e%d", k, aspect);
             for (int turn = 0; turn < 4; turn++) {
                 double width = pow(10, -aspect);
-                Graze graze = {random_rotation(&suite->random), 1, width, sin(pow(10, -k) * 3.14159265358979323846 / 180)};
+                Graze graze = {random_rotation(&suite->random), 1, width,
+                               sin(pow(10, -k) * 3.14159265358979323846 / 180)};
                 if (turn == 0) /* across an axis, where the sine is not lost to rounding */
                     graze.rotation = (Rotation){{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
                 Scene scene = scene_empty();
@@ -138,7 +142,10 @@ void test_grazing(Suite *suite)
                 }
                 scene_add(&scene, corners, 4);
                 suite_load(suite, &scene);
-                suite_cast(suite, &(Cast){.count = 2.5e4, .user = &graze, .aim = aim_grazing, .truth = true_hit, .check = check_graze});
+                suite_cast(
+                    suite,
+                    &(Cast){
+                        .count = 2.5e4, .user = &graze, .aim = aim_grazing, .truth = true_hit, .check = check_graze});
                 scene_free(&scene);
             }
         }

@@ -46,7 +46,8 @@ static void trace_pattern(Suite *suite, const Scene *scene)
         Vec3 from = vec3_scale(pow(10, random_in(&suite->random, -3, 9)), random_unit(&suite->random));
         vec3_put(rays + 6 * i, from);
         for (int axis = 0; axis < 3; axis++)
-            rays[6 * i + 3 + axis] = ((double)face->vertices[i % 4][axis] + (double)face->vertices[2][axis]) / 2 - rays[6 * i + axis];
+            rays[6 * i + 3 + axis] =
+                ((double)face->vertices[i % 4][axis] + (double)face->vertices[2][axis]) / 2 - rays[6 * i + axis];
     }
     suite_load(suite, scene);
     for (Method method = KERNEL_FLOAT; method < METHOD_COUNT; method++) {
@@ -57,7 +58,8 @@ static void trace_pattern(Suite *suite, const Scene *scene)
         CastHit expected = hits[REFERENCE][i];
         if (expected.face >= 0 && !(isfinite(expected.t) && expected.t >= 0))
             suite_fail(suite, REFERENCE, rays + 6 * i, "t = %g", expected.t);
-        if (memcmp(&hits[KERNEL_DOUBLE][i].t, &expected.t, sizeof(double)) != 0 || hits[KERNEL_DOUBLE][i].face != expected.face)
+        if (memcmp(&hits[KERNEL_DOUBLE][i].t, &expected.t, sizeof(double)) != 0 ||
+            hits[KERNEL_DOUBLE][i].face != expected.face)
             suite_fail(suite, KERNEL_DOUBLE, rays + 6 * i, "not what the reference says");
         if (hits[KERNEL_FLOAT][i].face != expected.face)
             suite_fail(suite, KERNEL_FLOAT, rays + 6 * i, "not the face that the reference says");
@@ -74,7 +76,8 @@ void test_bit_patterns(Suite *suite)
         char reason[256];
         int n = 3 + (i % 8 == 0);
         for (int k = 0; k < n; k++)
-            corners[k] = vec3(random_pattern(&suite->random), random_pattern(&suite->random), random_pattern(&suite->random));
+            corners[k] =
+                vec3(random_pattern(&suite->random), random_pattern(&suite->random), random_pattern(&suite->random));
         bool good = build_one(&scene, corners, n, reason, sizeof reason);
         suite->scene = &scene;
         if (!good && reason[0] == '\0')
@@ -110,8 +113,8 @@ void test_bad_faces(Suite *suite)
     const Vec3 concave[4] = {{0, 0, 0}, {1, 0, 0}, {0.25, 0.25, 0}, {0, 1, 0}};
     const Vec3 line[4] = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}};
     const Vec3 repeated[4] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    const Vec3 infinite[4] = {{0, 0, 0}, {INFINITY, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    const Vec3 not_a_number[4] = {{0, 0, 0}, {1, NAN, 0}, {1, 1, 0}, {0, 1, 0}};
+    const Vec3 infinite[4] = {{0, 0, 0}, {HUGE_VAL, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const Vec3 not_a_number[4] = {{0, 0, 0}, {1, (double)NAN, 0}, {1, 1, 0}, {0, 1, 0}};
     const Vec3 far[4] = {{-4e12, 0, 0}, {4e12, 0, 0}, {4e12, 1e12, 0}, {-4e12, 1e12, 0}};
     const Vec3 denormal[4] = {{0, 0, 0}, {1e-310, 0, 0}, {1e-310, 1e-310, 0}, {0, 1e-310, 0}};
     expect(suite, "a square", square, 4, NULL);

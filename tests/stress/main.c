@@ -16,7 +16,8 @@ typedef struct Test {
 } Test;
 
 static const Test tests[] = {
-    {1, "grid-misses", "A rotated 64 x 64 grid of quads: rays at its inner vertices and edges never pass through", test_grid_misses},
+    {1, "grid-misses", "A rotated 64 x 64 grid of quads: rays at its inner vertices and edges never pass through",
+     test_grid_misses},
     {2, "grid-counts", "The same, every face that is hit counted: as many as the oracle says", test_grid_counts},
     {3, "embree", "Embree's watertight scenes, with quads", test_embree},
     {4, "boxes", "Closed boxes from inside: no ray escapes", test_boxes},
@@ -41,8 +42,9 @@ enum { TEST_COUNT = sizeof tests / sizeof tests[0] };
 
 static int usage(void)
 {
-    fprintf(stderr, "Usage: stress [--list] [--test NAME] [--seed N] [--scale X] [--markdown]\n"
-                    "  --scale 0.01 casts a hundredth of the rays; --markdown prints the table for docs/stability.md\n");
+    fprintf(stderr,
+            "Usage: stress [--list] [--test NAME] [--seed N] [--scale X] [--markdown]\n"
+            "  --scale 0.01 casts a hundredth of the rays; --markdown prints the table for docs/stability.md\n");
     return 2;
 }
 
@@ -115,8 +117,8 @@ static void run(Suite *suite, const Test *test)
     fprintf(stderr, "%2d %-14s %s\n", test->number, test->name, test->what);
     test->run(suite);
     long failures = failures_of(suite, test->number);
-    fprintf(stderr, "%2d %-14s %s, %ld failures, %.1f s\n", test->number, test->name, failures ? "FAIL" : "ok", failures,
-            (clock_ms() - start) / 1000);
+    fprintf(stderr, "%2d %-14s %s, %ld failures, %.1f s\n", test->number, test->name, failures ? "FAIL" : "ok",
+            failures, (clock_ms() - start) / 1000);
 }
 
 int main(int argument_count, char **arguments)

@@ -12,7 +12,10 @@
 /* More faces than this are asked through a tree, by the product's own casting. */
 enum { FEW_FACES = 256 };
 
-bool method_is_float(Method method) { return method == TEXTBOOK || method == KERNEL_FLOAT; }
+bool method_is_float(Method method)
+{
+    return method == TEXTBOOK || method == KERNEL_FLOAT;
+}
 
 const char *method_name(Method method)
 {
@@ -34,16 +37,14 @@ void method_round(Method method, double *numbers, long count)
             numbers[i] = (double)(float)numbers[i];
 }
 
-static Ray ray_at(const double *numbers) { return (Ray){vec3_at(numbers), vec3_at(numbers + 3)}; }
-
-static Probe *probe_of(Suite *suite, Method method) { return &suite->probes[method == KERNEL_DOUBLE]; }
-
-static void stop_unless(bool ok, const Error *error)
+static Ray ray_at(const double *numbers)
 {
-    if (ok)
-        return;
-    fprintf(stderr, "stress: %s\n", error->text);
-    exit(3);
+    return (Ray){vec3_at(numbers), vec3_at(numbers + 3)};
+}
+
+static Probe *probe_of(Suite *suite, Method method)
+{
+    return &suite->probes[method == KERNEL_DOUBLE];
 }
 
 void suite_load(Suite *suite, const Scene *scene)
@@ -116,8 +117,9 @@ void method_counts(Suite *suite, Method method, const double *rays, long count, 
 static bool blocked_by_reference(const Scene *scene, const double *segment, int left)
 {
     for (int i = 0; i < scene->face_count; i++)
-        if (i != left && face_test_segment(&scene->faces[i], &scene->planes[i], vec3_at(segment), vec3_at(segment + 3), false)
-                                 .verdict == FACE_INSIDE)
+        if (i != left &&
+            face_test_segment(&scene->faces[i], &scene->planes[i], vec3_at(segment), vec3_at(segment + 3), false)
+                    .verdict == FACE_INSIDE)
             return true;
     return false;
 }
@@ -141,10 +143,12 @@ static void points_by_reference(const Scene *scene, Ray ray, CastHit hit, double
     Vec3 p = vec3_add(ray.origin, vec3_scale(hit.t, ray.direction));
     bool front = plane_side(&scene->faces[hit.face], plane, ray.origin) > 0;
     vec3_put(point, p);
-    vec3_put(shifted, point_shifted(&scene->faces[hit.face], plane, front ? plane->normal : vec3_negate(plane->normal), p));
+    vec3_put(shifted,
+             point_shifted(&scene->faces[hit.face], plane, front ? plane->normal : vec3_negate(plane->normal), p));
 }
 
-void method_points(Suite *suite, Method method, const double *rays, long count, CastHit *hits, double *points, double *shifted)
+void method_points(Suite *suite, Method method, const double *rays, long count, CastHit *hits, double *points,
+                   double *shifted)
 {
     if (method == KERNEL_FLOAT || method == KERNEL_DOUBLE) {
         probe_points(probe_of(suite, method), rays, count, hits, points, shifted);

@@ -63,7 +63,8 @@ typedef struct Picture {
     int columns;
 } Picture;
 
-static bool keep_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far, Error *error)
+static bool keep_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
+                      Error *error)
 {
     (void)so_far, (void)error;
     Picture *picture = user;
@@ -81,10 +82,7 @@ static Picture render(const Scene *scene, Method method)
     BandSink sink = {keep_band, &picture};
     bool ok = method == REFERENCE ? reference_render(scene, &settings, sink, &report, &error)
                                   : opencl_render(scene, &settings, sink, &report, &error);
-    if (!ok) {
-        fprintf(stderr, "stress: %s\n", error.text);
-        exit(3);
-    }
+    stop_unless(ok, &error);
     return picture;
 }
 
@@ -111,10 +109,7 @@ static void count_pixels(Suite *suite, Method method, const Scene *scene, long w
 static void load(Scene *scene, const char *path)
 {
     Error error = {0};
-    if (scene_load(scene, path, &error))
-        return;
-    fprintf(stderr, "stress: %s\n", error.text);
-    exit(3);
+    stop_unless(scene_load(scene, path, &error), &error);
 }
 
 /* --- A scene elsewhere --- */
@@ -124,18 +119,23 @@ static void write_moved(const char *path, Vec3 by)
     FILE *file = fopen(path, "w");
     if (!file)
         exit(3);
-    fprintf(file, "{\"camera\": {\"position\": [%.17g, %.17g, %.17g], \"look_at\": [%.17g, %.17g, %.17g]},\n", 2.5 + by.x, 2 + by.y,
-            6 + by.z, by.x, by.y, by.z);
-    fprintf(file, "\"screen\": {\"columns\": 96, \"rows\": 72},\n\"lights\": [{\"position\": [%.17g, %.17g, %.17g]}],\n", 4 + by.x,
-            5 + by.y, 3 + by.z);
-    fprintf(file, "\"materials\": {\"m\": {\"ambient\": [0.1, 0.1, 0.2], \"diffuse\": [0.6, 0.5, 0.4], \"specular\": [1, 1, 1],"
-                  " \"shininess\": 40, \"reflection\": 0.4}},\n\"objects\": [\n");
-    fprintf(file, "{\"material\": \"m\", \"vertices\": [[-4, -1, -4], [4, -1, -4], [4, -1, 4], [-4, -1, 4]],"
-                  " \"faces\": [[0, 1, 2, 3]], \"transform\": [{\"translate\": [%.17g, %.17g, %.17g]}]},\n",
+    fprintf(file, "{\"camera\": {\"position\": [%.17g, %.17g, %.17g], \"look_at\": [%.17g, %.17g, %.17g]},\n",
+            2.5 + by.x, 2 + by.y, 6 + by.z, by.x, by.y, by.z);
+    fprintf(file,
+            "\"screen\": {\"columns\": 96, \"rows\": 72},\n\"lights\": [{\"position\": [%.17g, %.17g, %.17g]}],\n",
+            4 + by.x, 5 + by.y, 3 + by.z);
+    fprintf(
+        file,
+        "\"materials\": {\"m\": {\"ambient\": [0.1, 0.1, 0.2], \"diffuse\": [0.6, 0.5, 0.4], \"specular\": [1, 1, 1],"
+        " \"shininess\": 40, \"reflection\": 0.4}},\n\"objects\": [\n");
+    fprintf(file,
+            "{\"material\": \"m\", \"vertices\": [[-4, -1, -4], [4, -1, -4], [4, -1, 4], [-4, -1, 4]],"
+            " \"faces\": [[0, 1, 2, 3]], \"transform\": [{\"translate\": [%.17g, %.17g, %.17g]}]},\n",
             by.x, by.y, by.z);
-    fprintf(file, "{\"material\": \"m\", \"box\": {\"min\": [-1, -1, -1], \"max\": [1, 1, 1]}, \"transform\": ["
-                  "{\"rotate\": {\"axis\": [0, 1, 0], \"degrees\": 90}}, {\"scale\": 0.75},"
-                  " {\"translate\": [%.17g, %.17g, %.17g]}]}\n]}\n",
+    fprintf(file,
+            "{\"material\": \"m\", \"box\": {\"min\": [-1, -1, -1], \"max\": [1, 1, 1]}, \"transform\": ["
+            "{\"rotate\": {\"axis\": [0, 1, 0], \"degrees\": 90}}, {\"scale\": 0.75},"
+            " {\"translate\": [%.17g, %.17g, %.17g]}]}\n]}\n",
             by.x, by.y, by.z);
     fclose(file);
 }

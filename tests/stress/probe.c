@@ -1,22 +1,11 @@
-/* The probe kernels, and the OpenCL calls around them. The product reads its kernels from the folder that RECTRAY_KERNELS
- * names: the probe writes them to a folder of its own, with its kernels behind the last. */
+/* The OpenCL calls around the probe kernels. */
 #include "probe.h"
-
-#include "kernel_sources.h"
-
-#include "text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-/* The text of probe.cl, byte by byte. */
-static const char probe_kernels[] = {
-#include "probe_cl.inc"
-    0};
-
-static void stop_unless(bool ok, const Error *error)
+void stop_unless(bool ok, const Error *error)
 {
     if (ok)
         return;
@@ -30,74 +19,17 @@ static void check(cl_int status, const char *call)
     stop_unless(opencl_ok(&error, status, call), &error);
 }
 
-/* --- The sources --- */
-
-static void write_source(const char *folder, const char *name, const char *text, const char *more)
-{
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    if (!file || fputs(text, file) < 0 || fputs(more, file) < 0 || fclose(file) != 0) {
-        perror(path);
-        exit(3);
-    }
-}
-
-/* Copies the kernels, those of RECTRAY_KERNELS where it is set, to `folder`. */
-static void write_sources(const char *folder)
-{
-    const char *from = getenv("RECTRAY_KERNELS");
-    for (int i = 0; i < kernel_source_count; i++) {
-        const char *more = i == kernel_source_count - 1 ? probe_kernels : "";
-        if (!from) {
-            write_source(folder, kernel_sources[i].name, kernel_sources[i].text, more);
-            continue;
-        }
-        char path[512];
-        long length;
-        Error error = {0};
-        snprintf(path, sizeof path, "%s/%s", from, kernel_sources[i].name);
-        char *text = text_read(path, 1 << 20, &length, &error);
-        stop_unless(text != NULL, &error);
-        write_source(folder, kernel_sources[i].name, text, more);
-        free(text);
-    }
-}
-
-static void remove_sources(const char *folder)
-{
-    char path[512];
-    for (int i = 0; i < kernel_source_count; i++) {
-        snprintf(path, sizeof path, "%s/%s", folder, kernel_sources[i].name);
-        remove(path);
-    }
-    rmdir(folder);
-}
-
 void probe_open(Probe *probe, Precision precision)
 {
     *probe = (Probe){0};
-    char folder[256];
-    const char *temporary = getenv("TMPDIR");
-    snprintf(folder, sizeof folder, "%s/rectray-probe-XXXXXX", temporary ? temporary : "/tmp");
-    if (!mkdtemp(folder)) {
-        perror(folder);
-        exit(3);
-    }
-    char *kept = getenv("RECTRAY_KERNELS");
-    write_sources(folder);
-    setenv("RECTRAY_KERNELS", folder, 1);
+    char *kept = probe_sources_write();
     RenderSettings settings = {.precision = precision, .device = -1};
     RenderReport report = {0};
     Error error = {0};
     TreeOptions no_tree = {ACCEL_NONE, 1, 1};
     bool ok = opencl_open(&probe->session, &settings, &report, &error) &&
               opencl_build(&probe->session, no_tree, &report, &error);
-    if (kept)
-        setenv("RECTRAY_KERNELS", kept, 1);
-    else
-        unsetenv("RECTRAY_KERNELS");
-    remove_sources(folder);
+    probe_sources_remove(kept);
     stop_unless(ok, &error);
 }
 
@@ -154,7 +86,10 @@ void probe_load(Probe *probe, const Scene *scene)
     device_scene_free(&packed);
 }
 
-static size_t real_bytes(bool is_double) { return is_double ? sizeof(double) : sizeof(float); }
+static size_t real_bytes(bool is_double)
+{
+    return is_double ? sizeof(double) : sizeof(float);
+}
 
 /* `count` doubles as the device's wides. */
 static cl_mem new_wides(Probe *probe, const double *numbers, size_t count)
@@ -171,7 +106,8 @@ static cl_mem new_wides(Probe *probe, const double *numbers, size_t count)
 
 static void read_buffer(Probe *probe, cl_mem buffer, size_t bytes, void *data)
 {
-    check(clEnqueueReadBuffer(probe->session.queue, buffer, CL_TRUE, 0, bytes, data, 0, NULL, NULL), "clEnqueueReadBuffer");
+    check(clEnqueueReadBuffer(probe->session.queue, buffer, CL_TRUE, 0, bytes, data, 0, NULL, NULL),
+          "clEnqueueReadBuffer");
 }
 
 static void read_reals(Probe *probe, cl_mem buffer, size_t count, bool is_double, double *out)
@@ -194,15 +130,18 @@ static void run(Probe *probe, const char *name, const cl_mem *arguments, int arg
     Parameters parameters = probe->launch;
     parameters.ray_count = (int)count;
     Error error = {0};
-    check(clEnqueueWriteBuffer(probe->session.queue, probe->parameters, CL_TRUE, 0, sizeof parameters, &parameters, 0, NULL,
-                               NULL),
+    check(clEnqueueWriteBuffer(probe->session.queue, probe->parameters, CL_TRUE, 0, sizeof parameters, &parameters, 0,
+                               NULL, NULL),
           "clEnqueueWriteBuffer");
     cl_kernel kernel = opencl_kernel(&probe->session, name, arguments, argument_count, &error);
     stop_unless(kernel && opencl_run(&probe->session, kernel, items, &error), &error);
     clReleaseKernel(kernel);
 }
 
-static bool real_is_double(const Probe *probe) { return probe->session.precision == PRECISION_DOUBLE; }
+static bool real_is_double(const Probe *probe)
+{
+    return probe->session.precision == PRECISION_DOUBLE;
+}
 
 static void read_hits(Probe *probe, cl_mem faces, cl_mem t, long count, CastHit *hits)
 {
@@ -222,8 +161,8 @@ void probe_nearest(Probe *probe, const double *rays, long count, CastHit *hits)
     cl_mem input = new_wides(probe, rays, (size_t)count * 6);
     cl_mem faces = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
     cl_mem t = new_buffer(probe, (size_t)count * real_bytes(probe->session.wide_is_double), NULL);
-    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges,    probe->planes, input,
-                          faces,             t,            probe->counters, probe->edges,  probe->faces}; /* no tree: never read */
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, input, faces, t,
+                          probe->counters,   probe->edges, probe->faces}; /* no tree: never read */
     run(probe, "cast", arguments, 10, count, ((size_t)count + lanes - 1) / lanes);
     read_hits(probe, faces, t, count, hits);
     clReleaseMemObject(input);
@@ -261,8 +200,17 @@ void probe_points(Probe *probe, const double *rays, long count, CastHit *hits, d
     cl_mem faces = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
     cl_mem t = new_buffer(probe, (size_t)count * real_bytes(probe->session.wide_is_double), NULL);
     cl_mem output = new_buffer(probe, (size_t)count * 6 * real_bytes(probe->session.wide_is_double), NULL);
-    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, probe->materials, probe->lights,
-                          probe->view,       input,        faces,        t,             output};
+    cl_mem arguments[] = {probe->parameters,
+                          probe->faces,
+                          probe->edges,
+                          probe->planes,
+                          probe->materials,
+                          probe->lights,
+                          probe->view,
+                          input,
+                          faces,
+                          t,
+                          output};
     run(probe, "probe_points", arguments, 11, count, (size_t)count);
     read_hits(probe, faces, t, count, hits);
     double *both = malloc((size_t)count * 6 * sizeof *both);

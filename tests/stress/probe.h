@@ -13,6 +13,14 @@ typedef struct Probe {
     bool loaded;
 } Probe;
 
+/* Ends the program with the error's message unless `ok`. */
+void stop_unless(bool ok, const Error *error);
+
+/* Puts the product's and the probe's kernels where the product will read them, and takes them away again. Between the two
+ * lies what RECTRAY_KERNELS was before. */
+char *probe_sources_write(void);
+void probe_sources_remove(char *kept);
+
 /* Failures of the machine end the program with a message: there is no test without a device. */
 void probe_open(Probe *probe, Precision precision);
 void probe_close(Probe *probe);

@@ -9,7 +9,10 @@ uint64_t random_bits(Random *random)
     return z ^ (z >> 31);
 }
 
-int random_below(Random *random, int count) { return (int)(random_bits(random) % (uint64_t)count); }
+int random_below(Random *random, int count)
+{
+    return (int)(random_bits(random) % (uint64_t)count);
+}
 
 double random_in(Random *random, double low, double high)
 {

@@ -12,9 +12,9 @@ typedef struct Random {
 } Random;
 
 uint64_t random_bits(Random *random);
-int random_below(Random *random, int count);           /* 0 .. count - 1 */
+int random_below(Random *random, int count); /* 0 .. count - 1 */
 double random_in(Random *random, double low, double high);
-Vec3 random_unit(Random *random);                      /* a direction, all equally likely */
+Vec3 random_unit(Random *random); /* a direction, all equally likely */
 
 /* A rotation, all equally likely: the images of the three axes. */
 typedef struct Rotation {

@@ -7,7 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-Vec3 vec3_at(const double *numbers) { return vec3(numbers[0], numbers[1], numbers[2]); }
+Vec3 vec3_at(const double *numbers)
+{
+    return vec3(numbers[0], numbers[1], numbers[2]);
+}
 
 void vec3_put(double *numbers, Vec3 a)
 {
@@ -16,7 +19,10 @@ void vec3_put(double *numbers, Vec3 a)
     numbers[2] = a.z;
 }
 
-Vec3 vec3_rounded(Vec3 a) { return vec3((double)(float)a.x, (double)(float)a.y, (double)(float)a.z); }
+Vec3 vec3_rounded(Vec3 a)
+{
+    return vec3((double)(float)a.x, (double)(float)a.y, (double)(float)a.z);
+}
 
 static void *checked(void *memory)
 {
@@ -134,8 +140,10 @@ static void write_frame(FILE *file, double size)
 {
     for (int sign = -1; sign <= 1; sign += 2) {
         double a = sign * size, b = a * (1 - 0x1p-10);
-        fprintf(file, ",\n{\"material\": \"dull\", \"vertices\": [[%.17g, %.17g, %.17g], [%.17g, %.17g, %.17g], [%.17g, %.17g, %.17g]],"
-                      " \"faces\": [[0, 1, 2]]}",
+        fprintf(file,
+                ",\n{\"material\": \"dull\", \"vertices\": [[%.17g, %.17g, %.17g], [%.17g, %.17g, %.17g], [%.17g, "
+                "%.17g, %.17g]],"
+                " \"faces\": [[0, 1, 2]]}",
                 a, a, a, b, a, a, a, b, a);
     }
 }
@@ -151,9 +159,10 @@ void scene_write(const Scene *scene, const char *path)
             size = fmax(size, fabs((double)scene->faces[i].vertices[k / 3][k % 3]));
     int exponent;
     frexp(size, &exponent);
-    fputs("{\"camera\": {\"position\": [0, 0, 1], \"look_at\": [0, 0, 0]}, \"screen\": {\"columns\": 64, \"rows\": 64},\n"
-          "\"materials\": {\"dull\": {\"diffuse\": [1, 1, 1]}},\n\"objects\": [",
-          file);
+    fputs(
+        "{\"camera\": {\"position\": [0, 0, 1], \"look_at\": [0, 0, 0]}, \"screen\": {\"columns\": 64, \"rows\": 64},\n"
+        "\"materials\": {\"dull\": {\"diffuse\": [1, 1, 1]}},\n\"objects\": [",
+        file);
     write_faces(file, scene);
     write_frame(file, ldexp(1, exponent + 2));
     fputs("]}\n", file);

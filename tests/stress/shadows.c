@@ -1,6 +1,5 @@
-/* The next ray's start and the shadow ray's ends. Tests 9, 10 and 11. */
+/* The next ray's start and the shadow ray's ends. Tests 9 and 10. */
 #include "oracle.h"
-#include "reference.h"
 #include "scenes.h"
 #include "tests.h"
 
@@ -51,7 +50,8 @@ static void aim_at_square(Shots *shots, Random *random, const Rotation *rotation
 {
     for (long i = 0; i < shots->count; i++) {
         Vec3 target = vec3(random_in(random, -0.4, 0.4) * size, random_in(random, -0.4, 0.4) * size, 0);
-        Vec3 origin = vec3(random_in(random, -2, 2) * size, random_in(random, -2, 2) * size, random_in(random, 0.5, 3) * size);
+        Vec3 origin =
+            vec3(random_in(random, -2, 2) * size, random_in(random, -2, 2) * size, random_in(random, 0.5, 3) * size);
         Vec3 start = vec3_rounded(vec3_add(centre, rotate(rotation, origin)));
         vec3_put(shots->rays + 6 * i, start);
         vec3_put(shots->rays + 6 * i + 3, vec3_rounded(vec3_sub(vec3_add(centre, rotate(rotation, target)), start)));
@@ -78,7 +78,10 @@ static void add_square(Scene *scene, const Rotation *rotation, Vec3 centre, doub
     scene_add(scene, corners, 4);
 }
 
-static double largest(Vec3 a) { return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))); }
+static double largest(Vec3 a)
+{
+    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
 
 /* The shifted points: on the right side, and near. */
 static void check_points(Suite *suite, Method method, const Shots *shots)
@@ -98,7 +101,8 @@ static void check_points(Suite *suite, Method method, const Shots *shots)
         if (oracle_side(vertices, shots->shifted + 3 * i) != oracle_side(vertices, ray))
             suite_fail(suite, method, ray, "the shifted point is on the wrong side");
         else if (vec3_length(moved) > 16 * unit + 0x1p-59)
-            suite_fail(suite, method, ray, "the point was shifted by %g, %g ulp", vec3_length(moved), vec3_length(moved) / unit);
+            suite_fail(suite, method, ray, "the point was shifted by %g, %g ulp", vec3_length(moved),
+                       vec3_length(moved) / unit);
     }
 }
 
@@ -217,7 +221,8 @@ static void occluder_at_light(Suite *suite, int ulps)
         add_square(&scene, &rotation, light, 2, -ulps * method_ulp(KERNEL_FLOAT, 4));
         suite_load(suite, &scene);
         for (long i = 0; i < shots.count; i++) {
-            Vec3 from = vec3(random_in(&suite->random, -3, 3), random_in(&suite->random, -3, 3), random_in(&suite->random, -9, -1));
+            Vec3 from = vec3(random_in(&suite->random, -3, 3), random_in(&suite->random, -3, 3),
+                             random_in(&suite->random, -9, -1));
             if (random_below(&suite->random, 2))
                 from.z = -from.z;
             vec3_put(shots.segments + 6 * i, vec3_rounded(vec3_add(light, rotate(&rotation, from))));
@@ -240,7 +245,8 @@ static void segments_past_seams(Suite *suite)
         Vec3 through = sheet_vertex(&sheet, random_below(&suite->random, 4), random_below(&suite->random, 4));
         if (random_below(&suite->random, 2))
             through = vec3_add(through, rotate(&sheet.rotation, vec3(random_in(&suite->random, 0, 1), 0, 0)));
-        Vec3 from = vec3_rounded(vec3_add(through, vec3_scale(random_in(&suite->random, 0, 3), random_unit(&suite->random))));
+        Vec3 from =
+            vec3_rounded(vec3_add(through, vec3_scale(random_in(&suite->random, 0, 3), random_unit(&suite->random))));
         Vec3 to = vec3_add(through, vec3_scale(random_in(&suite->random, 0, 2), vec3_sub(through, from)));
         vec3_put(shots.segments + 6 * i, from);
         vec3_put(shots.segments + 6 * i + 3, random_below(&suite->random, 2) ? vec3_rounded(to) : to);
@@ -259,50 +265,4 @@ void test_shadows(Suite *suite)
     for (int i = 0; i < 7; i++)
         occluder_at_light(suite, ulps[i]);
     segments_past_seams(suite);
-}
-
-/* --- A light where no light should be --- */
-
-/* A white square in the plane z = 0, looked at from (0, 0, 3) along -z. */
-static void light_at(Suite *suite, const char *where, Vec3 position, bool lit)
-{
-    Scene scene = scene_empty();
-    const Rotation upright = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    add_square(&scene, &upright, vec3(0, 0, 0), 2, 0);
-    scene_add_light(&scene, position);
-    scene.materials[0].ambient = vec3(1, 1, 1); /* of a light that does not reach the point, not even this counts */
-    scene.camera.position = vec3(0, 0, 3);
-    suite_load(suite, &scene);
-    suite_row(suite, "light %s", where);
-    const double ray[6] = {0, 0, 3, 0, 0, -1};
-    for (Method method = KERNEL_FLOAT; method < METHOD_COUNT; method++) {
-        double colour[3];
-        RenderReport report = {0};
-        const Tracer tracer = {&scene, NULL, &report, NULL};
-        if (method == REFERENCE)
-            vec3_put(colour, reference_pixel(&tracer, 0, 0));
-        else
-            probe_colours(&suite->probes[method == KERNEL_DOUBLE], ray, 1, colour);
-        suite_rays(suite, method, 1);
-        for (int k = 0; k < 3; k++)
-            if (!isfinite(colour[k]) || colour[k] < 0 || (colour[k] > 0) != lit) {
-                suite_fail(suite, method, ray, "colour %g", colour[k]);
-                break;
-            }
-    }
-    scene_free(&scene);
-}
-
-void test_light_on_face(Suite *suite)
-{
-    light_at(suite, "on the face", vec3(0.5, 0.25, 0), false);
-    light_at(suite, "on its edge", vec3(1, 0.25, 0), false);
-    light_at(suite, "on its corner", vec3(1, 1, 0), false);
-    light_at(suite, "in its plane, beside it", vec3(3, 0, 0), false);
-    light_at(suite, "at the hit point", vec3(0, 0, 0), false);
-    light_at(suite, "behind it", vec3(0, 0, -1), false);
-    light_at(suite, "behind it by 2^-40", vec3(0.5, 0, -0x1p-40), false);
-    light_at(suite, "before it", vec3(0, 0, 1), true);
-    light_at(suite, "before it by 2^-20", vec3(0.5, 0, 0x1p-20), true);
-    light_at(suite, "at the camera", vec3(0, 0, 3), true);
 }

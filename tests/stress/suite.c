@@ -13,7 +13,7 @@ const char TIE[] = "tie";
 enum { SHOWN = 3 };
 
 /* The taught formulas have no tree: they get as many of a row's rays as make this many tests of faces. */
-static const double TEXTBOOK_TESTS = 1e8;
+static const double TEXTBOOK_TESTS = 2e7;
 
 long suite_count(const Suite *suite, double count)
 {
@@ -37,9 +37,15 @@ void suite_row(Suite *suite, const char *format, ...)
     fprintf(stderr, "    %s\n", row->label);
 }
 
-static Row *current(Suite *suite) { return &suite->rows[suite->row_count - 1]; }
+static Row *current(Suite *suite)
+{
+    return &suite->rows[suite->row_count - 1];
+}
 
-void suite_rays(Suite *suite, Method method, long rays) { current(suite)->rays[method] += rays; }
+void suite_rays(Suite *suite, Method method, long rays)
+{
+    current(suite)->rays[method] += rays;
+}
 
 void suite_measure(Suite *suite, Method method, long rays, double value, double limit)
 {
@@ -50,19 +56,21 @@ void suite_measure(Suite *suite, Method method, long rays, double value, double 
     row->limit[method] = limit;
     if (method != TEXTBOOK && limit >= 0 && !(value <= limit)) {
         row->failures[method]++;
-        printf("FAIL %s, %s: %s is %g, the limit is %g\n", suite->test_name, row->label, method_name(method), value, limit);
+        printf("FAIL %s, %s: %s is %g, the limit is %g\n", suite->test_name, row->label, method_name(method), value,
+               limit);
     }
 }
 
 static void print_command(const Suite *suite, Method method, const double *ray)
 {
-    static const char *const options[METHOD_COUNT] = {"", "--precision float", "--precision double", "--backend reference"};
+    static const char *const options[METHOD_COUNT] = {"", "--precision float", "--precision double",
+                                                      "--backend reference"};
     char path[160];
     snprintf(path, sizeof path, "build/stress-%s-%d.json", suite->test_name, suite->row_count);
     if (suite->shown == 0)
         scene_write(suite->scene, path);
-    printf("     echo '%.17g %.17g %.17g  %.17g %.17g %.17g' | build/rectray cast %s %s\n", ray[0], ray[1], ray[2], ray[3],
-           ray[4], ray[5], path, options[method]);
+    printf("     echo '%.17g %.17g %.17g  %.17g %.17g %.17g' | build/rectray cast %s %s\n", ray[0], ray[1], ray[2],
+           ray[3], ray[4], ray[5], path, options[method]);
 }
 
 void suite_fail(Suite *suite, Method method, const double *ray, const char *format, ...)
@@ -71,7 +79,8 @@ void suite_fail(Suite *suite, Method method, const double *ray, const char *form
     row->failures[method]++;
     if (method == TEXTBOOK || suite->shown >= SHOWN)
         return;
-    printf("FAIL %s, %s, %s, seed %llu: ", suite->test_name, row->label, method_name(method), (unsigned long long)suite->seed);
+    printf("FAIL %s, %s, %s, seed %llu: ", suite->test_name, row->label, method_name(method),
+           (unsigned long long)suite->seed);
     va_list arguments;
     va_start(arguments, format);
     vprintf(format, arguments);
@@ -106,6 +115,13 @@ static void judge(Suite *suite, const Cast *cast, Method method, const Batch *ba
     }
 }
 
+/* How many of the next rays the textbook gets. */
+static long textbook_share(Suite *suite, long count)
+{
+    long most = (long)(TEXTBOOK_TESTS / suite->scene->face_count) + 1 - current(suite)->rays[TEXTBOOK];
+    return most < 0 ? 0 : most < count ? most : count;
+}
+
 static void run_batch(Suite *suite, const Cast *cast, Batch *batch, bool floats)
 {
     for (long i = 0; i < batch->count; i++)
@@ -113,15 +129,17 @@ static void run_batch(Suite *suite, const Cast *cast, Batch *batch, bool floats)
     method_round(floats ? TEXTBOOK : REFERENCE, batch->rays, 6 * batch->count);
     for (long i = 0; i < batch->count; i++)
         batch->truths[i] = cast->truth ? cast->truth(suite->scene, batch->rays + 6 * i) : 0;
-    bool enough = (double)current(suite)->rays[TEXTBOOK] * suite->scene->face_count > TEXTBOOK_TESTS;
     for (Method method = 0; method < METHOD_COUNT; method++) {
-        if (method == TEXTBOOK && (!floats || enough))
+        Batch part = *batch;
+        if (method == TEXTBOOK)
+            part.count = floats ? textbook_share(suite, batch->count) : 0;
+        if (part.count == 0)
             continue;
         if (cast->counts)
-            method_counts(suite, method, batch->rays, batch->count, batch->hits);
+            method_counts(suite, method, part.rays, part.count, part.hits);
         else
-            method_nearest(suite, method, batch->rays, batch->count, batch->hits);
-        judge(suite, cast, method, batch);
+            method_nearest(suite, method, part.rays, part.count, part.hits);
+        judge(suite, cast, method, &part);
     }
 }
 
@@ -157,8 +175,8 @@ int true_nearest(const Scene *scene, const double ray[6])
         const Face *face = &scene->faces[i];
         if (!oracle_hits((const float(*)[3])face->vertices, ray) || !counts_for(face, ray))
             continue;
-        if (nearest < 0 || oracle_order((const float(*)[3])face->vertices,
-                                        (const float(*)[3])scene->faces[nearest].vertices, ray) < 0)
+        if (nearest < 0 ||
+            oracle_order((const float(*)[3])face->vertices, (const float(*)[3])scene->faces[nearest].vertices, ray) < 0)
             nearest = i;
     }
     return nearest;

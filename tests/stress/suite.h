@@ -13,7 +13,7 @@
 
 typedef enum Method { TEXTBOOK, KERNEL_FLOAT, KERNEL_DOUBLE, REFERENCE, METHOD_COUNT } Method;
 
-enum { MAX_ROWS = 400, BATCH = 1 << 15 };
+enum { MAX_ROWS = 400, BATCH = 1 << 17 };
 
 /* A line of the table: of each method, how many rays and how many of them wrong, or a measured value and its limit. */
 typedef struct Row {
@@ -28,7 +28,7 @@ typedef struct Suite {
     uint64_t seed;
     double scale; /* of the counts of rays */
     Random random;
-    Probe probes[2]; /* float, double */
+    Probe probes[2];    /* float, double */
     const Scene *scene; /* the one loaded */
     Accel accel;
     Row *rows;
@@ -52,7 +52,8 @@ void suite_row(Suite *suite, const char *format, ...) __attribute__((format(prin
 void suite_rays(Suite *suite, Method method, long rays);
 
 /* Counts a failure and prints the first few with the command that reproduces them. ray: NULL where there is none. */
-void suite_fail(Suite *suite, Method method, const double *ray, const char *format, ...) __attribute__((format(printf, 4, 5)));
+void suite_fail(Suite *suite, Method method, const double *ray, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /* One measured value and the most it may be; limit < 0: any. */
 void suite_measure(Suite *suite, Method method, long rays, double value, double limit);
@@ -77,7 +78,8 @@ void method_round(Method method, double *numbers, long count);
 void method_nearest(Suite *suite, Method method, const double *rays, long count, CastHit *hits);
 void method_counts(Suite *suite, Method method, const double *rays, long count, CastHit *hits);
 void method_blocked(Suite *suite, Method method, const double *segments, const int *left, long count, int *blocked);
-void method_points(Suite *suite, Method method, const double *rays, long count, CastHit *hits, double *points, double *shifted);
+void method_points(Suite *suite, Method method, const double *rays, long count, CastHit *hits, double *points,
+                   double *shifted);
 
 /* The oracle on a scene: the nearest face (of equal t the first; -1: none), and how many are hit. */
 int true_nearest(const Scene *scene, const double ray[6]);

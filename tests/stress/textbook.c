@@ -14,12 +14,30 @@ typedef struct FloatPlane {
     float d;
 } FloatPlane;
 
-static Float3 load(const float *a) { return (Float3){a[0], a[1], a[2]}; }
-static Float3 load_double(const double *a) { return (Float3){(float)a[0], (float)a[1], (float)a[2]}; }
-static Float3 add(Float3 a, Float3 b) { return (Float3){a.x + b.x, a.y + b.y, a.z + b.z}; }
-static Float3 subtract(Float3 a, Float3 b) { return (Float3){a.x - b.x, a.y - b.y, a.z - b.z}; }
-static Float3 scale(float s, Float3 a) { return (Float3){s * a.x, s * a.y, s * a.z}; }
-static float dot(Float3 a, Float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Float3 load(const float *a)
+{
+    return (Float3){a[0], a[1], a[2]};
+}
+static Float3 load_double(const double *a)
+{
+    return (Float3){(float)a[0], (float)a[1], (float)a[2]};
+}
+static Float3 add(Float3 a, Float3 b)
+{
+    return (Float3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+static Float3 subtract(Float3 a, Float3 b)
+{
+    return (Float3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+static Float3 scale(float s, Float3 a)
+{
+    return (Float3){s * a.x, s * a.y, s * a.z};
+}
+static float dot(Float3 a, Float3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 static Float3 cross(Float3 a, Float3 b)
 {
     return (Float3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

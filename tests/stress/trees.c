@@ -60,14 +60,6 @@ static Scene random_soup(Random *random, int count)
 
 /* --- Trees --- */
 
-static void stop_unless(bool ok, const Error *error)
-{
-    if (ok)
-        return;
-    fprintf(stderr, "stress: %s\n", error->text);
-    exit(3);
-}
-
 static void cast_with(const Scene *scene, Method method, AccelKind kind, const Hits *hits, CastHit *found)
 {
     Error error = {0};
@@ -91,7 +83,8 @@ static void compare_tree(Suite *suite, Method method, AccelKind kind, Hits *hits
     cast_with(suite->scene, method, kind, hits, hits->after);
     suite_rays(suite, method, hits->count);
     for (long i = 0; i < hits->count; i++)
-        if (hits->before[i].face != hits->after[i].face || memcmp(&hits->before[i].t, &hits->after[i].t, sizeof(double)) != 0)
+        if (hits->before[i].face != hits->after[i].face ||
+            memcmp(&hits->before[i].t, &hits->after[i].t, sizeof(double)) != 0)
             suite_fail(suite, method, hits->rays + 6 * i, "face %d, t = %.17g; without the tree face %d, t = %.17g",
                        hits->after[i].face, hits->after[i].t, hits->before[i].face, hits->before[i].t);
 }
@@ -146,7 +139,8 @@ static Scene changed_scene(const Scene *scene, Change change, int turn)
     return other;
 }
 
-static void compare_change(Suite *suite, Method method, Change change, int turn, const Scene *scene, const Scene *other, Hits *hits)
+static void compare_change(Suite *suite, Method method, Change change, int turn, const Scene *scene, const Scene *other,
+                           Hits *hits)
 {
     double *rays = malloc((size_t)hits->count * 6 * sizeof *rays);
     for (long i = 0; i < 2 * hits->count; i++)

@@ -15,7 +15,8 @@ static void aim_from(Random *random, Vec3 target, Vec3 normal, double distance, 
     Vec3 side = random_unit(random);
     if (vec3_dot(side, normal) < 0)
         side = vec3_negate(side);
-    Vec3 origin = vec3_rounded(vec3_add(target, vec3_scale(distance, vec3_unit(vec3_add(side, vec3_scale(0.5, normal))))));
+    Vec3 origin =
+        vec3_rounded(vec3_add(target, vec3_scale(distance, vec3_unit(vec3_add(side, vec3_scale(0.5, normal))))));
     vec3_put(ray, origin);
     vec3_put(ray + 3, vec3_sub(target, origin));
 }
@@ -35,7 +36,8 @@ static void aim_at_seam(void *user, Random *random, double ray[6])
 }
 
 /* The oracle confirms a part of the hits, too. */
-static const char *check_no_miss(void *user, const Scene *scene, Method method, const double ray[6], int truth, CastHit hit)
+static const char *check_no_miss(void *user, const Scene *scene, Method method, const double ray[6], int truth,
+                                 CastHit hit)
 {
     (void)user, (void)method, (void)truth;
     static int turn = 0;
@@ -53,7 +55,10 @@ typedef struct Place {
 
 static const Place places[] = {{0, 0.25}, {1e3, 0.25}, {1.5e5, 0.5}, {1e6, 2}};
 
-static Vec3 place_centre(double offset) { return vec3(offset, -0.7 * offset, 1.3 * offset); }
+static Vec3 place_centre(double offset)
+{
+    return vec3(offset, -0.7 * offset, 1.3 * offset);
+}
 
 void test_grid_misses(Suite *suite)
 {
@@ -70,7 +75,8 @@ void test_grid_misses(Suite *suite)
 }
 
 /* A ray exactly through a seam hits the faces on both sides; the oracle tells which do. */
-static const char *check_count(void *user, const Scene *scene, Method method, const double ray[6], int truth, CastHit hit)
+static const char *check_count(void *user, const Scene *scene, Method method, const double ray[6], int truth,
+                               CastHit hit)
 {
     (void)user, (void)truth, (void)method;
     if (hit.face == 1)
@@ -87,7 +93,9 @@ void test_grid_counts(Suite *suite)
                 Sheet sheet = sheet_make(&suite->random, 8, places[i].spacing, place_centre(places[i].offset));
                 Seam seam = {&sheet, vertices};
                 suite_load(suite, &sheet.scene);
-                suite_cast(suite, &(Cast){.count = 2.5e5, .user = &seam, .aim = aim_at_seam, .check = check_count, .counts = true});
+                suite_cast(
+                    suite,
+                    &(Cast){.count = 2.5e5, .user = &seam, .aim = aim_at_seam, .check = check_count, .counts = true});
                 scene_free(&sheet.scene);
             }
         }
@@ -130,8 +138,8 @@ static void test_sphere(Suite *suite)
     Scene scene = scene_empty();
     for (int ring = 0; ring < RINGS; ring++)
         for (int step = 0; step < 2 * RINGS; step++) {
-            Vec3 corners[4] = {sphere_vertex(ring, step), sphere_vertex(ring + 1, step), sphere_vertex(ring + 1, step + 1),
-                               sphere_vertex(ring, step + 1)};
+            Vec3 corners[4] = {sphere_vertex(ring, step), sphere_vertex(ring + 1, step),
+                               sphere_vertex(ring + 1, step + 1), sphere_vertex(ring, step + 1)};
             bool south = ring == RINGS - 1;
             if (south)
                 corners[2] = corners[3];
