@@ -28,7 +28,7 @@ void probe_open(Probe *probe, Precision precision)
     Error error = {0};
     TreeOptions no_tree = {ACCEL_NONE, 1, 1};
     bool ok = opencl_open(&probe->session, &settings, &report, &error) &&
-              opencl_build(&probe->session, no_tree, &report, &error);
+              opencl_build(&probe->session, "probe", no_tree, &report, &error);
     probe_sources_remove(kept);
     stop_unless(ok, &error);
 }
