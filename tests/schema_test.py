@@ -2,7 +2,7 @@
 """docs/scene.schema.json and `rectray check` agree: over all good scenes, and over all bad ones whose fault a schema
 can express. Every bad scene's error is the one that tests/scenes/bad/expected.tsv gives.
 
-Run from the top folder: python3 tests/schema_test.py [build/rectray]. Needs Debian's python3-jsonschema."""
+Run from the top folder: python3 tests/schema_test.py. Needs Debian's python3-jsonschema."""
 import glob
 import json
 import subprocess
@@ -10,7 +10,8 @@ import sys
 
 import jsonschema
 
-PROGRAM = sys.argv[1] if len(sys.argv) > 1 else "build/rectray"
+from program import PROGRAM
+
 BAD = "tests/scenes/bad/"
 failures = 0
 
