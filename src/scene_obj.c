@@ -11,7 +11,8 @@ typedef struct ObjReader {
     SceneBuild *build;
     TextLines lines;
     MtlLibrary library;
-    int material; /* of the faces that follow; -1: the object's own */
+    int material;   /* of the faces that follow; -1: the object's own */
+    Quoted missing; /* what usemtl asked for in vain; empty where it did not */
     int face_count;
 } ObjReader;
 
@@ -89,6 +90,10 @@ static bool read_face(ObjReader *reader, char *rest)
     if (count < 3 || count > 4)
         return word_fail(&reader->lines, build->error, "a face of %d vertices; 3 or 4 are supported", count);
     reader->face_count++;
+    if (reader->material < 0 && build->object.material < 0 && reader->missing.text[0])
+        return word_fail(&reader->lines, build->error,
+                         "the face has no material: %s is not in the scene nor in a library, and the object names none",
+                         reader->missing.text);
     return build_face(build, vertices, count, reader->material, (int)reader->lines.line) ||
            word_fail(&reader->lines, build->error, "%s", build->reason);
 }
@@ -101,6 +106,7 @@ static bool use_material(ObjReader *reader, const char *name)
         return word_fail(&reader->lines, build->error, "usemtl without a name");
     reader->material = names_find(&build->materials, name);
     int own = reader->material < 0 ? names_find(&reader->library.names, name) : -1;
+    reader->missing = reader->material < 0 && own < 0 ? text_quote(name) : (Quoted){""};
     if (own < 0)
         return true;
     int *used_as = &reader->library.used_as[own];
