@@ -36,6 +36,8 @@ static bool fault_expected(Scan *scan, const char *what)
         return fault(scan, scan->at, "expected %s, but the file ends", what);
     if (c == 0)
         return fault(scan, scan->at, "a NUL byte; this is not a text file");
+    if (c == '/')
+        return fault(scan, scan->at, "expected %s, not '/'; a comment is a string under the key \"//\"", what);
     if (c > 0x20 && c < 0x7F)
         return fault(scan, scan->at, "expected %s, not '%c'", what, c);
     return fault(scan, scan->at, "expected %s", what);
