@@ -46,10 +46,10 @@ static bool reader_open(Reader *reader)
     unsigned char signature[8] = {0};
     reader->file = fopen(reader->path, "rb");
     if (!reader->file)
-        return error_set(reader->error, ERROR_INPUT, "cannot read %s: %s", reader->path, strerror(errno));
+        return error_set(reader->error, ERROR_INPUT, "%s: cannot be read: %s", reader->path, strerror(errno));
     errno = 0;
     if (fread(signature, 1, sizeof signature, reader->file) != sizeof signature && ferror(reader->file))
-        return error_set(reader->error, ERROR_INPUT, "cannot read %s: %s", reader->path, strerror(errno));
+        return error_set(reader->error, ERROR_INPUT, "%s: cannot be read: %s", reader->path, strerror(errno));
     if (png_sig_cmp(signature, 0, sizeof signature) != 0)
         return error_set(reader->error, ERROR_INPUT, "%s: not a PNG picture", reader->path);
     reader->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, reader, on_error, on_warning);
