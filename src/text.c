@@ -12,7 +12,8 @@
 /* A wrong path is the user's mistake; a failing disk or a full table of files is the system's. */
 static bool fail_errno(const char *path, const char *what, Error *error)
 {
-    bool user = errno == ENOENT || errno == EACCES || errno == ENOTDIR || errno == ELOOP || errno == ENAMETOOLONG;
+    bool user = errno == ENOENT || errno == EACCES || errno == EISDIR || errno == ENOTDIR || errno == ELOOP ||
+                errno == ENAMETOOLONG;
     return error_set(error, user ? ERROR_INPUT : ERROR_SYSTEM, "%s: %s: %s", path, what, strerror(errno));
 }
 

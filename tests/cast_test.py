@@ -72,8 +72,9 @@ class Cast(CommandTest):
             self.assertRegex(err, r"^standard input:2: ")
         self.put("rays.txt", "1 2\n")
         self.assertRegex(self.cast("", "--rays", "rays.txt", status=1)[1], r"^rays.txt:1: ")
-        _, err = self.run_program("cast", "scene.json", "--rays", "missing.txt", status=1)
-        self.assertIn("missing.txt", err)
+        for name in ("missing.txt", "."):
+            _, err = self.run_program("cast", "scene.json", "-b", "reference", "--rays", name, status=1)
+            self.assertRegex(err, rf"^{name}: cannot be ")
 
     def test_stats_do_not_mix_with_the_hits(self):
         rows, err = self.cast("1000.25 0.5 2 0 0 -1\n" * 3, "-b", "reference", "--stats=json")
