@@ -3,6 +3,7 @@
 #include "command.h"
 #include "scene_json.h"
 #include "survey.h"
+#include "text.h"
 
 #include <cjson/cJSON.h>
 
@@ -111,7 +112,7 @@ static void print_skippable(const Scene *scene, const Survey *survey)
     printed += print_skippable_lights(scene, survey);
     for (int i = 0; i < scene->material_count; i++)
         if (!survey->material_used[i])
-            printed += printf("  material \"%s\": no face has it\n", scene->materials[i].name);
+            printed += printf("  material %s: no face has it\n", text_quote(scene->materials[i].name).text);
     printed += print_skippable_faces(survey);
     if (printed == 0)
         printf("  nothing\n");

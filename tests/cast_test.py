@@ -104,6 +104,11 @@ class Check(CommandTest):
         self.assertIn('material "unused "one"": no face has it', out)
         self.assertEqual(self.run_program("check", "-q", "scene.json"), (b"", ""))
 
+    def test_a_name_cannot_write_on_the_terminal(self):
+        scene = dict(SCENE, materials=dict(SCENE["materials"], **{"red\x1b[31m\n": {}}))
+        self.put("named.json", json.dumps(scene))
+        self.assertIn('material "red?[31m?": no', self.run_program("check", "named.json")[0].decode())
+
     def test_geometry_gives_every_face_exactly(self):
         """Reads the format as docs/commands.md says."""
         lines = self.run_program("check", "scene.json", "--geometry")[0].decode().splitlines()
