@@ -27,7 +27,7 @@ static bool sources_add(Sources *sources, int i, const char *folder, Error *erro
     sources->texts[2 * i] = sources->lines[i];
     sources->texts[2 * i + 1] = kernel_sources[i].text;
     sources->count = i + 1;
-    if (!folder)
+    if (!folder || !folder[0])
         return true;
     size_t size = strlen(folder) + strlen(kernel_sources[i].name) + 2;
     char *path = malloc(size);

@@ -34,8 +34,8 @@ typedef struct TreeOptions {
 } TreeOptions;
 
 /* Builds the program for running the kernel `name`: from the sources embedded in rectray, or from the files of the folder that
- * the environment variable RECTRAY_KERNELS names, or from what an earlier run has kept of the same sources. Time and build
- * options go to the report. A kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
+ * the environment variable RECTRAY_KERNELS names (unless it is empty), or from what an earlier run has kept of the same
+ * sources. Time and build options go to the report. A kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
 bool opencl_build(OpenclSession *session, const char *name, TreeOptions tree, RenderReport *report, Error *error);
 
 /* Keeps the program for later runs if it was compiled in this one; to be called when the kernel has run once. */
