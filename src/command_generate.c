@@ -28,8 +28,11 @@ bool command_generate(const Options *options, Error *error)
     const SceneKind *kind = scene_kind_find(options->operands[0], error);
     if (!kind)
         return false;
-    if (options->scene_size < 1 || options->scene_size > kind->max_size)
+    if (options->scene_size < 1)
         return error_set(error, ERROR_USAGE, "generate %s needs --size N: %s", kind->name, kind->size_means);
+    if (options->scene_size > kind->max_size)
+        return error_set(error, ERROR_USAGE, "--size '%d': generate %s expects %s", options->scene_size, kind->name,
+                         kind->size_means);
     if (options->output && strcmp(options->output, "-") != 0)
         return write_file(kind, options, error);
     return scene_generate(kind, stdout, options->scene_size, (uint64_t)options->seed, error);

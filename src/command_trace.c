@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* To add a format: its writer, its name in walk_formats (option_table.c), its line here in the same order. */
+/* To add a format: its writer, its name in WalkFormat and set_format (option_table), its line here in the same order. */
 static WalkWriter *const writers[] = {walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj,
                                       walkthrough_write_svg};
 
@@ -18,7 +18,7 @@ static bool check_request(const Options *options, const Scene *scene, Error *err
 {
     const Screen *screen = &scene->screen;
     if (!options->pixel_given)
-        return error_set(error, ERROR_USAGE, "trace needs --pixel COLUMN,ROW: of the pixel to tell, from 0,0 to %d,%d",
+        return error_set(error, ERROR_USAGE, "trace needs --pixel COLUMN,ROW: the pixel to tell, from 0,0 to %d,%d",
                          screen->columns - 1, screen->rows - 1);
     if (options->pixel_column >= screen->columns || options->pixel_row >= screen->rows)
         return error_set(error, ERROR_USAGE, "--pixel %d,%d is outside the picture, whose pixels are 0,0 to %d,%d",

@@ -112,6 +112,13 @@ class Kernels(CommandTest):
         self.run_program("render", "scene.json", env=dict(os.environ, RECTRAY_KERNELS=""))
 
 
+class Generate(CommandTest):
+    def test_a_size_is_asked_for_and_judged_by_the_kind(self):
+        self.assertIn("generate menger needs --size N: ", self.run_program("generate", "menger", status=2)[1])
+        self.assertIn("--size '9': generate menger expects ",
+                      self.run_program("generate", "menger", "--size", "9", status=2)[1])
+
+
 class Devices(CommandTest):
     def test_they_are_numbered(self):
         self.assertRegex(self.run_program("devices")[0].decode(), r"^0: ")
