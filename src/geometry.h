@@ -67,7 +67,7 @@ typedef struct FaceTest {
     int edges;             /* edges evaluated: 0, 3 or 4 */
     double edge_value[4];  /* dot(N, cross(e, c)) of edge k = v[k] -> v[k+1] */
     int edge_sign[4];      /* its exact sign: -1, 0, +1; 0 is on the edge's line */
-    int outside_edge;      /* the first edge whose sign contradicts an earlier one's; -1 where none does */
+    int outside_edge;      /* the first edge whose sign is -1; -1 where none is */
 } FaceTest;
 
 /* Tests a ray: a hit has t > 0 and t_in_box <= limit (HUGE_VAL: no limit). With `complete` the edges are evaluated for every
