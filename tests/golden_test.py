@@ -16,6 +16,7 @@ import unittest
 
 PROGRAM = os.path.abspath(os.environ.get("RECTRAY", "build/rectray"))
 CHAPTER = "docs/walkthrough.md"
+DRAWING = "docs/images/walkthrough-gallery.svg"  # by the command that the chapter gives
 GOLDEN = sorted(glob.glob("tests/golden/*.txt"))
 
 
@@ -34,6 +35,11 @@ def output_of(command):
 def golden_text(path):
     command = read(path).split("\n", 1)[0].removeprefix("$ ")
     return f"$ {command}\n{output_of(command)}"
+
+
+def drawing_text():
+    command = re.search(rf"`(rectray trace [^`]*) -o {re.escape(DRAWING)}`", read(CHAPTER)).group(1)
+    return output_of(command)
 
 
 def parts_of(output):
@@ -83,6 +89,9 @@ class Chapter(unittest.TestCase):
     def test_its_output_is_the_program_s(self):
         self.assertEqual(read(CHAPTER), chapter_text(), "`make golden` renews it")
 
+    def test_its_drawing_is_the_program_s(self):
+        self.assertEqual(read(DRAWING) == drawing_text(), True, f"{DRAWING}: `make golden` renews it")
+
     def test_it_shows_a_whole_walkthrough(self):
         commands = re.findall(r"^```console\n\$ ([^\n]*)\n```\n(.*?)(?=^```console|\Z)", read(CHAPTER), re.M | re.S)
         self.assertGreaterEqual(len(commands), 2)
@@ -102,6 +111,9 @@ def renew():
         text = golden_text(path)
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
+    text = drawing_text()
+    with open(DRAWING, "w", encoding="utf-8") as file:
+        file.write(text)
     text = chapter_text()
     with open(CHAPTER, "w", encoding="utf-8") as file:
         file.write(text)
