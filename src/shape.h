@@ -16,7 +16,7 @@ typedef enum ShapeVerdict {
 } ShapeVerdict;
 
 typedef struct Shape {
-    ShapeVerdict verdict; /* the first that applies, in the order above */
+    ShapeVerdict verdict; /* the first that applies, in the order of docs/scene-format.md */
     int first, second;
     double distance; /* from the plane through vertex 0 with the normal of the diagonals */
     double diagonal; /* the longer diagonal; of a triangle the longest side */
