@@ -7,6 +7,7 @@ compiled again. A mutant whose test passes has survived: the exit status is then
 """
 
 import argparse
+import glob
 import os
 import queue
 import shutil
@@ -81,6 +82,8 @@ def try_mutant(folder, mutant):
 def undo(folder, file):
     """The mutant's objects must not stay: what depends on the file is made anew from the build's objects."""
     names = [f"src/{os.path.basename(file)[:-2]}.o"] if file.endswith(".c") else ["kernel_sources.c", "kernel_sources.o"]
+    if file.endswith(".h"):
+        names = [os.path.relpath(path, "build") for path in glob.glob("build/src/*.o")]
     for name in [*names, "librectray.a"]:
         subprocess.run(["cp", "-a", f"build/{name}", f"{folder}/build/{name}"], check=True)
     for program in ["stress", "rectray"]:
