@@ -140,12 +140,21 @@ static bool is_nearest(const Event *event)
     return hit->kind == EVENT_HIT && hit->as.hit.face == event->as.face.face;
 }
 
+/* Whether this search has met the face before: in a k-d tree a face stands in every leaf that it reaches into. */
+static bool is_met_again(const Event *event)
+{
+    const Event *before = event - 1;
+    while (before->kind == EVENT_NODE || (before->kind == EVENT_FACE && before->as.face.face != event->as.face.face))
+        before--;
+    return before->kind == EVENT_FACE;
+}
+
 void text_face_tested(TextWalk *text, const Event *event)
 {
     const FaceTest *test = &event->as.face.test;
     InkText verdict = ink_text("%s", walk_face_verdicts[test->verdict]);
     if (is_nearest(event))
-        verdict = ink_text("nearest");
+        verdict = ink_text(is_met_again(event) ? "met again" : "nearest");
     else if (test->verdict == FACE_INSIDE)
         verdict = ink_text(test->t < event->as.face.nearest_t ? "nearest so far" : "not nearer");
     else if (test->verdict == FACE_OUTSIDE)

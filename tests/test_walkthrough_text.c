@@ -121,6 +121,24 @@ static void text_of_a_large_scene_should_be_as_short(void)
     check_lines("many faces");
 }
 
+static int occurrences(const char *word)
+{
+    int count = 0;
+    for (const char *at = text; (at = strstr(at, word)) != NULL; at++)
+        count++;
+    return count;
+}
+
+static void a_face_in_two_leaves_should_be_the_nearest_once(void)
+{
+    load("scenes/original.json", ACCEL_KDTREE);
+    for (int verbose = 0; verbose < 2; verbose++) {
+        write_text((WalkRequest){.column = 40, .row = 40, .verbose = verbose}, false);
+        TEST_ASSERT_EQUAL_INT(1, occurrences("+   nearest\n"));
+        TEST_ASSERT_EQUAL_INT(1, occurrences("+   met again\n"));
+    }
+}
+
 static void text_should_show_more_digits_far_from_the_origin(void)
 {
     load("tests/scenes/walkthrough/ambient.json", ACCEL_NONE);
@@ -160,6 +178,7 @@ int main(void)
     RUN_TEST(text_should_be_tidy_and_end_with_the_pixel);
     RUN_TEST(text_of_a_scene_with_six_faces_should_fit_on_two_screens);
     RUN_TEST(text_of_a_large_scene_should_be_as_short);
+    RUN_TEST(a_face_in_two_leaves_should_be_the_nearest_once);
     RUN_TEST(text_should_show_more_digits_far_from_the_origin);
     RUN_TEST(colours_should_be_escape_sequences_and_nothing_else);
     return UNITY_END();
