@@ -1,6 +1,6 @@
 /* A tree as the kernels walk it: two arrays. A node of the bounding volume hierarchy has as many children as the lanes test
  * at once, their boxes side by side (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008, section 3).
- * Floor 5, below opencl.h. */
+ * Floor 4, below opencl.h. */
 #ifndef RECTRAY_OPENCL_TREE_H
 #define RECTRAY_OPENCL_TREE_H
 

@@ -1,5 +1,5 @@
 /* A scene on a device, ready to be traced: buffers, kernels for its tree, launches and what they counted.
- * Floor 6, below opencl.h. */
+ * Floor 4, below opencl.h. */
 #ifndef RECTRAY_OPENCL_UPLOAD_H
 #define RECTRAY_OPENCL_UPLOAD_H
 

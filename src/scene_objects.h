@@ -1,4 +1,4 @@
-/* The "objects" of a scene file: vertices and faces, boxes and models, with their transforms. Floor 6. */
+/* The "objects" of a scene file: vertices and faces, boxes and models, with their transforms. Floor 5. */
 #ifndef RECTRAY_SCENE_OBJECTS_H
 #define RECTRAY_SCENE_OBJECTS_H
 
