@@ -1,10 +1,10 @@
 /* rectray bench: measures scenes, or the ladder of scenes on which every figure of docs/performance.md stands.
  * To add a rung to the ladder: its line in the table below. */
-#include "bench_report.h"
 #include "command.h"
+#include "bench_report.h"
+#include "output.h"
 #include "text.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -165,15 +165,13 @@ static bool document_read(Document *document, const char *path, Error *error)
 static bool document_write(const Document *document, const Bench *bench, const char *path, Error *error)
 {
     size_t before = (size_t)(document->begin - document->text) + strlen(MARK_BEGIN);
-    FILE *out = fopen(path, "w");
-    if (out) {
-        fwrite(document->text, 1, before, out);
-        bench_print_markdown(out, bench);
-        fputs(document->end, out);
-    }
-    if (out && fclose(out) == 0)
-        return true;
-    return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", path, strerror(errno));
+    Output output;
+    if (!output_open(&output, path, "the page", error))
+        return false;
+    fwrite(document->text, 1, before, output.file);
+    bench_print_markdown(output.file, bench);
+    fputs(document->end, output.file);
+    return output_commit(&output, error);
 }
 
 static bool report(const Bench *bench, const Options *options, const Document *document, Error *error)

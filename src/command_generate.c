@@ -1,26 +1,19 @@
 /* rectray generate: writes a seeded scene of a given size, as text that goes out while it is made. */
 #include "command.h"
 #include "generate.h"
+#include "output.h"
 
-#include <errno.h>
 #include <string.h>
-
-static bool unwritable(const char *path, Error *error)
-{
-    return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", path, errno ? strerror(errno) : "write error");
-}
 
 static bool write_file(const SceneKind *kind, const Options *options, Error *error)
 {
-    errno = 0;
-    FILE *out = fopen(options->output, "w");
-    if (!out)
-        return unwritable(options->output, error);
-    bool made = scene_generate(kind, out, options->scene_size, (uint64_t)options->seed, error);
-    bool written = !ferror(out);
-    if (fclose(out) != 0 || !written)
-        return made && unwritable(options->output, error);
-    return made;
+    Output output;
+    if (!output_open(&output, options->output, "the scene", error))
+        return false;
+    if (scene_generate(kind, output.file, options->scene_size, (uint64_t)options->seed, error))
+        return output_commit(&output, error);
+    output_abort(&output);
+    return false;
 }
 
 bool command_generate(const Options *options, Error *error)

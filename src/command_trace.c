@@ -1,12 +1,12 @@
 /* rectray trace: the walkthrough of one pixel, step by step, in one of several formats. */
-#include "accel.h"
 #include "command.h"
+#include "accel.h"
 #include "ink.h"
+#include "output.h"
 #include "scene_json.h"
 #include "scene_override.h"
 #include "walkthrough_formats.h"
 
-#include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -35,11 +35,6 @@ static bool is_same_file(const char *a, const char *b)
     return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
-static bool cannot_write(const char *path, Error *error)
-{
-    return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", path, strerror(errno));
-}
-
 static bool write_file(const Options *options, const Walkthrough *walk, Error *error)
 {
     WalkWriter *writer = writers[options->format];
@@ -52,17 +47,13 @@ static bool write_file(const Options *options, const Walkthrough *walk, Error *e
     if (is_same_file(options->operands[0], path))
         return error_set(error, ERROR_USAGE, "the walkthrough %s would replace the scene itself; choose another -o",
                          path);
-    FILE *file = fopen(path, "w");
-    if (!file)
-        return cannot_write(path, error);
-    bool done = writer(file, walk, style, error);
-    errno = 0;
-    bool failed = fflush(file) != 0 || ferror(file);
-    if (failed)
-        cannot_write(path, error);
-    if (fclose(file) != 0 && !failed)
-        failed = true, cannot_write(path, error);
-    return done && !failed;
+    Output output;
+    if (!output_open(&output, path, "the walkthrough", error))
+        return false;
+    if (writer(output.file, walk, style, error))
+        return output_commit(&output, error);
+    output_abort(&output);
+    return false;
 }
 
 static void note_unused(const Options *options)

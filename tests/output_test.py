@@ -38,6 +38,16 @@ class Output(CommandTest):
         self.assertEqual(self.files(), ["a.png"])
         self.assertEqual(self.bytes_of("a.png"), b"old")
 
+    def test_words_that_do_not_fit_are_3_and_go_too(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20, 20))
+        for words in (["trace", "scene.json", "--pixel", "1,2"], ["generate", "city", "--size", "9"]):
+            self.put("a.txt", "old")
+            err = self.run_program(*words, "-o", "a.txt", status=3, preexec_fn=limit)[1]
+            self.assertIn("cannot write a.txt: File too large", err)
+            self.assertEqual(self.files(), ["a.txt"])
+            self.assertEqual(self.bytes_of("a.txt"), b"old")
+
     def test_a_read_only_picture_is_kept(self):
         nobody = {"user": 65534} if os.geteuid() == 0 else {} # root may write everything
         self.put("a.png", "old")
