@@ -78,9 +78,3 @@ double exact_determinant(ExactVec3 a, ExactVec3 b, ExactVec3 c)
         value += e.terms[i];
     return value;
 }
-
-int exact_determinant_sign(ExactVec3 a, ExactVec3 b, ExactVec3 c)
-{
-    double value = exact_determinant(a, b, c);
-    return (value > 0) - (value < 0);
-}

@@ -41,6 +41,5 @@ static inline ExactVec3 exact_vec3(Vec3 a) { return (ExactVec3){a, vec3(0, 0, 0)
 /* det(a, b, c) = a . (b x c) to within an ulp or two, its sign exact. This holds unless a product of three components
  * leaves the range 2^-960 .. 2^1000, which the scene's limits on coordinates exclude. */
 double exact_determinant(ExactVec3 a, ExactVec3 b, ExactVec3 c);
-int exact_determinant_sign(ExactVec3 a, ExactVec3 b, ExactVec3 c); /* -1, 0, +1 */
 
 #endif

@@ -22,7 +22,8 @@ SvgPoint svg_flatten(SvgDirection direction, Vec3 p)
     return direction == SVG_FROM_SIDE ? (SvgPoint){p.z, p.y} : (SvgPoint){p.x, p.y};
 }
 
-SvgPoint svg_project(const SvgView *view, Vec3 p)
+/* Where a position is on the paper. */
+static SvgPoint project(const SvgView *view, Vec3 p)
 {
     SvgPoint flat = svg_flatten(view->direction, p);
     double x = view->box.left + (flat.x - view->left) * view->scale;
@@ -111,7 +112,7 @@ void svg_face(const SvgView *view, const Scene *scene, int face, const char *sty
     SvgBox around = {1e9, 1e9, -1e9, -1e9};
     int count = scene->faces[face].vertex_count;
     for (int k = 0; k < count; k++) {
-        corners[k] = svg_project(view, vec3_add(face_vertex(&scene->faces[face], k), scene->centre));
+        corners[k] = project(view, vec3_add(face_vertex(&scene->faces[face], k), scene->centre));
         around.left = fmin(around.left, corners[k].x);
         around.right = fmax(around.right, corners[k].x);
         around.top = fmin(around.top, corners[k].y);
@@ -127,7 +128,7 @@ void svg_face(const SvgView *view, const Scene *scene, int face, const char *sty
 
 void svg_line(SvgView *view, Vec3 from, Vec3 to, const char *style)
 {
-    SvgPoint a = svg_project(view, from), b = svg_project(view, to);
+    SvgPoint a = project(view, from), b = project(view, to);
     fprintf(view->out, "<path %s d='M%.1f %.1fL%.1f %.1f'/>\n", style, a.x, a.y, b.x, b.y);
     if (view->line_count < SVG_LINES_MAX)
         view->lines[view->line_count++] = (SvgBox){a.x, a.y, b.x, b.y};
@@ -135,7 +136,7 @@ void svg_line(SvgView *view, Vec3 from, Vec3 to, const char *style)
 
 void svg_cross(const SvgView *view, Vec3 p, const char *colour)
 {
-    SvgPoint at = svg_project(view, p);
+    SvgPoint at = project(view, p);
     fprintf(view->out, "<path stroke='%s' stroke-width='2' d='M%.1f %.1fl10 10m0 -10l-10 10'/>\n", colour, at.x - 5,
             at.y - 5);
 }
@@ -152,7 +153,7 @@ static void join_label(SvgLabel *label, const char *text)
 
 bool svg_is_seen(const SvgView *view, Vec3 p)
 {
-    SvgPoint at = svg_project(view, p);
+    SvgPoint at = project(view, p);
     return at.x >= view->box.left && at.x <= view->box.right && at.y >= view->box.top && at.y <= view->box.bottom;
 }
 
@@ -170,9 +171,9 @@ static SvgPoint way_out(const SvgBox *box, SvgPoint from, SvgPoint to)
 
 void svg_mark(SvgView *view, Vec3 p, Vec3 seen_from, const char *text, const char *colour)
 {
-    SvgPoint at = svg_project(view, p);
+    SvgPoint at = project(view, p);
     if (!svg_is_seen(view, p))
-        at = way_out(&view->box, svg_project(view, seen_from), at);
+        at = way_out(&view->box, project(view, seen_from), at);
     else
         fprintf(view->out, "<circle cx='%.1f' cy='%.1f' r='4' fill='%s' stroke='#fff'/>\n", at.x, at.y, colour);
     for (int i = 0; i < view->label_count; i++)

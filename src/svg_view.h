@@ -47,9 +47,6 @@ SvgPoint svg_flatten(SvgDirection direction, Vec3 p);
 /* Begins a panel that shows the window from low to high (flattened) with a margin, its units square. */
 void svg_view_begin(SvgView *view, FILE *out, SvgDirection direction, SvgBox box, SvgPoint low, SvgPoint high);
 
-/* Where a position is on the paper. */
-SvgPoint svg_project(const SvgView *view, Vec3 p);
-
 /* A face with an SVG style. Faces that are wholly outside the window are left out. */
 void svg_face(const SvgView *view, const Scene *scene, int face, const char *style);
 

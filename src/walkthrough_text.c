@@ -14,11 +14,6 @@ void text_step(TextWalk *text, const char *title)
     ink_heading(&text->ink, "Step %d. %s", ++text->step, title);
 }
 
-InkText text_place(const TextWalk *text, Vec3 position)
-{
-    return ink_vector(walk_world(text->walk->scene, position), text->digits);
-}
-
 InkRow text_row(InkText label, Vec3 v)
 {
     return (InkRow){.label = label, .v = v, .digits = INK_DIGITS};

@@ -19,8 +19,7 @@ typedef struct TextWalk {
 /* "Step 3. ...", numbered. */
 void text_step(TextWalk *text, const char *title);
 
-/* A position in the scene file's coordinates. */
-InkText text_place(const TextWalk *text, Vec3 position);
+/* A row that shows a position in the scene file's coordinates. */
 InkRow text_place_row(const TextWalk *text, InkText label, Vec3 position);
 
 InkRow text_row(InkText label, Vec3 v);
