@@ -23,10 +23,11 @@ static void append(Message *message, const char *format, ...)
     message->length += (size_t)length < room ? (size_t)length : room - 1;
 }
 
+/* Whether a byte continues a sequence of UTF-8. */
 static bool is_continuation(const char *c)
 {
     return ((unsigned char)*c & 0xC0) == 0x80;
-} /* of a UTF-8 sequence */
+}
 
 /* The line of the place, cut to a window of some 100 characters, and a caret on the line below. */
 static Message excerpt_of(const Json *json, const char *start_of_line, const char *place)
