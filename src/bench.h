@@ -33,6 +33,7 @@ typedef struct BenchTrace {
     double peer_trace_ms, peer_build_ms, peer_share; /* share: of the time, inside the peer's own code */
     double peer_bytes;
     RayCounts peer_rays;
+    long long differing, far_off; /* pixels of the two pictures that differ, and that do by more than 1 of 255 */
 } BenchTrace;
 
 typedef struct BenchPhases {
@@ -47,11 +48,15 @@ typedef struct BenchProcess {
     double peak_bytes;
 } BenchProcess;
 
+/* Fills in what the scene itself says of its size and grid. */
+bool bench_settle(BenchScene *scene, Error *error);
+
 /* Traces the scene `repeats` times after a warm-up, turn by turn with the peer where it is built. */
 bool bench_trace(BenchTrace *result, const BenchScene *scene, const RenderSettings *settings, int repeats,
                  Error *error);
 
-/* Renders the scene by starting this program again and again. */
+/* Renders the scene, which must be settled, by starting this program again and again. To be called before bench_trace:
+ * on Linux a process begins with the peak memory of the one that started it. */
 bool bench_process(BenchProcess *result, const BenchScene *scene, int repeats, Error *error);
 
 /* The same for POV-Ray and the exported scene; leaves 0 where either program is missing. */

@@ -39,6 +39,8 @@ static void add_peer(cJSON *object, const BenchTrace *t)
     cJSON_AddStringToObject(peer, "shadow", t->peer_modes[1]);
     cJSON_AddStringToObject(peer, "reflection", t->peer_modes[2]);
     add_rays(peer, &t->peer_rays);
+    cJSON_AddNumberToObject(peer, "differing_pixels", (double)t->differing);
+    cJSON_AddNumberToObject(peer, "pixels_off_by_more_than_1", (double)t->far_off);
     cJSON_AddNumberToObject(object, "ratio", t->peer_trace_ms / t->trace_ms);
 }
 
@@ -93,6 +95,7 @@ bool bench_print_json(FILE *out, const Bench *bench, Error *error)
     cJSON *object = cJSON_CreateObject();
     cJSON_AddStringToObject(object, "processor", bench_processor(processor, sizeof processor));
     cJSON_AddNumberToObject(object, "cores", (double)sysconf(_SC_NPROCESSORS_ONLN));
+    cJSON_AddNumberToObject(object, "load", bench->load);
     cJSON_AddNumberToObject(object, "repeats", bench->repeats);
     cJSON *scenes = cJSON_AddArrayToObject(object, "scenes"), *scaling = cJSON_AddArrayToObject(object, "scaling"),
           *processes = cJSON_AddArrayToObject(object, "processes");

@@ -11,8 +11,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define CACHE BENCH_FOLDER "/cache"
-#define PICTURE BENCH_FOLDER "/picture.png"
+#define CACHE "build/bench/cache"
+#define CACHE_SETTING "POCL_CACHE_DIR=build/bench/cache"
+#define PICTURE "build/bench/picture.png"
+#define EXPORT_COMMAND "build/peers/povray_export \"$1\" > build/bench/scene.pov"
+#define POVRAY_SCENE "+Ibuild/bench/scene.pov"
+#define POVRAY_PICTURE "+Obuild/bench/povray.png"
 
 static bool make_folder(const char *path, Error *error)
 {
@@ -79,18 +83,10 @@ static bool render_process(const BenchScene *scene, BenchPhases *phases, double 
     char program[1024], size[32], grid[16], line[8192];
     snprintf(size, sizeof size, "--size=%dx%d", scene->columns, scene->rows);
     snprintf(grid, sizeof grid, "--grid=%d", scene->grid);
-    const char *argv[] = {"env",
-                          "POCL_CACHE_DIR=" CACHE,
-                          own_path(program, sizeof program),
-                          "render",
-                          scene->path,
-                          size,
-                          grid,
-                          "--quiet",
-                          "--stats=json",
-                          "-o",
-                          PICTURE,
-                          NULL};
+    const char *argv[] = {"env",    CACHE_SETTING, own_path(program, sizeof program),
+                          "render", scene->path,   size,
+                          grid,     "--quiet",     "--stats=json",
+                          "-o",     PICTURE,       NULL};
     if (!process_run(argv, line, sizeof line, wall_ms, error))
         return false;
     return read_phases(line, phases, peak_bytes) || error_set(error, ERROR_SYSTEM, "render told no statistics");
@@ -136,7 +132,7 @@ bool bench_process(BenchProcess *result, const BenchScene *scene, int repeats, E
 
 static bool export_scene(const char *path, Error *error)
 {
-    const char *argv[] = {"sh", "-c", BENCH_EXPORT " \"$1\" > " BENCH_FOLDER "/scene.pov", "sh", path, NULL};
+    const char *argv[] = {"sh", "-c", EXPORT_COMMAND, "sh", path, NULL};
     double ms;
     return process_run(argv, NULL, 0, &ms, error);
 }
@@ -151,16 +147,7 @@ bool bench_povray(BenchProcess *result, int repeats, Error *error)
     char columns[16], rows[16];
     snprintf(columns, sizeof columns, "+W%d", result->scene.columns);
     snprintf(rows, sizeof rows, "+H%d", result->scene.rows);
-    const char *argv[] = {"povray",
-                          "+I" BENCH_FOLDER "/scene.pov",
-                          "+O" BENCH_FOLDER "/povray.png",
-                          columns,
-                          rows,
-                          "-A",
-                          "-D",
-                          "-V",
-                          "-GA",
-                          NULL};
+    const char *argv[] = {"povray", POVRAY_SCENE, POVRAY_PICTURE, columns, rows, "-A", "-D", "-V", "-GA", NULL};
     if (!export_scene(result->scene.path, error))
         return false;
     for (int i = 0; i < repeats; i++)

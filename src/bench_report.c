@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -24,6 +25,17 @@ const char *bench_processor(char *name, size_t size)
     return name;
 }
 
+double bench_load(void)
+{
+    char line[64] = "";
+    FILE *file = fopen("/proc/loadavg", "r");
+    if (file) {
+        line[fread(line, 1, sizeof line - 1, file)] = '\0';
+        fclose(file);
+    }
+    return strtod(line, NULL);
+}
+
 /* A number in a cell, with three figures or so; a dash for what is not there. */
 static void cell(FILE *out, double value)
 {
@@ -42,10 +54,11 @@ static void print_trace_times(FILE *out, const Bench *bench)
 {
     double product = 1;
     int ratios = 0;
-    fputs("| scene | faces | ours, ms | fastest to slowest | Embree, ms | Embree / ours | our Mrays/s | outside Embree "
-          "|\n"
-          "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
-          out);
+    fputs(
+        "| scene | faces | ours, ms | fastest to slowest | Embree, ms | Embree / ours | our Mrays/s | outside Embree | "
+        "pixels that differ, by more than 1 |\n"
+        "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
+        out);
     for (int i = 0; i < bench->trace_count; i++) {
         const BenchTrace *t = &bench->traces[i];
         fprintf(out, "| %s | %d |", t->scene.name, t->faces);
@@ -55,9 +68,9 @@ static void print_trace_times(FILE *out, const Bench *bench)
         cell(out, t->peer_trace_ms / t->trace_ms);
         cell(out, (double)all_rays(&t->report) / t->trace_ms / 1e3);
         if (t->has_peer)
-            fprintf(out, " %.0f %% |\n", 100 * (1 - t->peer_share));
+            fprintf(out, " %.0f %% | %lld, %lld |\n", 100 * (1 - t->peer_share), t->differing, t->far_off);
         else
-            fputs(" - |\n", out);
+            fputs(" - | - |\n", out);
         product *= t->has_peer ? t->peer_trace_ms / t->trace_ms : 1;
         ratios += t->has_peer;
     }
@@ -68,8 +81,8 @@ static void print_trace_times(FILE *out, const Bench *bench)
 static void print_kinds(FILE *out, const Bench *bench)
 {
     fputs("\n| scene | primary | shadow | reflection | Mrays/s: primary | shadow | reflection | Embree asks for "
-          "primary, shadow, "
-          "reflection in |\n"
+          "primary, shadow, reflection "
+          "in |\n"
           "| --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n",
           out);
     for (int i = 0; i < bench->trace_count; i++) {
@@ -171,7 +184,8 @@ void bench_print_markdown(FILE *out, const Bench *bench)
     char processor[128];
     fprintf(out, "Measured by `rectray bench` on %ld cores of an %s; times are medians of %d",
             sysconf(_SC_NPROCESSORS_ONLN), bench_processor(processor, sizeof processor), bench->repeats);
-    fputs(bench->trace_count > 0 && bench->traces[0].has_peer ? ", ours and Embree's turn by turn.\n\n" : ".\n\n", out);
+    fputs(bench->trace_count > 0 && bench->traces[0].has_peer ? ", ours and Embree's turn by turn. " : ". ", out);
+    fprintf(out, "Other programs wanted %.1f cores before it began.\n\n", bench->load);
     if (bench->trace_count > 0) {
         print_trace_times(out, bench);
         print_kinds(out, bench);

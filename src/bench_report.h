@@ -12,6 +12,7 @@ typedef struct Bench {
     BenchTrace traces[BENCH_MAX_SCENES], scaling[BENCH_MAX_SCENES];
     BenchProcess processes[BENCH_MAX_SCENES];
     int trace_count, scaling_count, process_count, repeats;
+    double load; /* see bench_load */
 } Bench;
 
 /* Writing errors stay in `out`. */
@@ -25,5 +26,8 @@ bool bench_write_plot_data(const Bench *bench, Error *error);
 
 /* The processor's name as the system tells it; "unknown processor" where it does not. */
 const char *bench_processor(char *name, size_t size);
+
+/* How many programs wanted a core in the last minute, on average; 0 where the system does not tell. */
+double bench_load(void);
 
 #endif

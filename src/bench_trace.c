@@ -2,6 +2,7 @@
  * more picture, so that both meet the same weather: one of ours, one of its, and so on. */
 #include "bench.h"
 
+#include "image.h"
 #include "opencl.h"
 #include "process.h"
 #include "scene_json.h"
@@ -23,19 +24,28 @@ double bench_median(double *times, int count)
     return count == 0 ? 0 : (times[(count - 1) / 2] + times[count / 2]) / 2;
 }
 
-static bool drop_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
+/* Copies a band into the picture `user`, or drops it where there is none. */
+static bool keep_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
                       Error *error)
 {
-    (void)user, (void)first_row, (void)rows, (void)rgb, (void)so_far, (void)error;
+    (void)so_far, (void)error;
+    Image *picture = user;
+    if (picture) {
+        size_t row_bytes = (size_t)picture->columns * 3;
+        memcpy(picture->rgb + (size_t)first_row * row_bytes, rgb, (size_t)rows * row_bytes);
+    }
     return true;
 }
 
-static bool trace_once(const Scene *scene, const RenderSettings *settings, RenderReport *report, Error *error)
+static bool trace_once(const Scene *scene, const RenderSettings *settings, Image *picture, RenderReport *report,
+                       Error *error)
 {
-    return opencl_render(scene, settings, (BandSink){drop_band, NULL}, report, error);
+    return opencl_render(scene, settings, (BandSink){keep_band, picture}, report, error);
 }
 
 /* --- The peer --- */
+
+#define PEER_PICTURE "build/bench/peer.png"
 
 static bool peer_reads(BenchTrace *result, const char *line)
 {
@@ -67,7 +77,8 @@ static bool peer_start(Process *peer, BenchTrace *result, Error *error)
     char size[32], grid[16], line[2048];
     snprintf(size, sizeof size, "%dx%d", result->scene.columns, result->scene.rows);
     snprintf(grid, sizeof grid, "%d", result->scene.grid);
-    const char *argv[] = {BENCH_PEER, result->scene.path, "--size", size, "--grid", grid, "--serve", NULL};
+    const char *argv[] = {BENCH_PEER, result->scene.path, "--size", size,         "--grid",
+                          grid,       "--serve",          "-o",     PEER_PICTURE, NULL};
     if (!process_start(peer, argv, error))
         return false;
     result->has_peer = fgets(line, sizeof line, peer->from) && peer_reads(result, line);
@@ -85,16 +96,37 @@ static bool peer_trace(Process *peer, double *ms, Error *error)
     return true;
 }
 
+/* Ends the peer, which then writes its picture, and counts where that differs from ours. */
+static bool peer_finish(Process *peer, BenchTrace *result, const Image *ours, Error *error)
+{
+    Image theirs = {0};
+    if (!process_end(peer))
+        return error_set(error, ERROR_SYSTEM, "%s failed", BENCH_PEER);
+    if (!image_read(&theirs, PEER_PICTURE, error))
+        return false;
+    for (long long i = 0; i < (long long)ours->columns * ours->rows; i++) {
+        int largest = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            int difference = abs(ours->rgb[3 * i + channel] - theirs.rgb[3 * i + channel]);
+            largest = difference > largest ? difference : largest;
+        }
+        result->differing += largest > 0;
+        result->far_off += largest > 1;
+    }
+    image_free(&theirs);
+    return true;
+}
+
 /* --- Ours --- */
 
 /* Both in turn. */
 static bool trace_in_turns(BenchTrace *result, const Scene *scene, const RenderSettings *settings, Process *peer,
-                           int repeats, Error *error)
+                           Image *picture, int repeats, Error *error)
 {
     double ours[BENCH_MAX_REPEATS], builds[BENCH_MAX_REPEATS], theirs[BENCH_MAX_REPEATS];
     for (int i = -1; i < repeats; i++) { /* -1: to warm up */
         int at = i < 0 ? 0 : i;
-        if (!trace_once(scene, settings, &result->report, error) ||
+        if (!trace_once(scene, settings, picture, &result->report, error) ||
             (peer->pid && !peer_trace(peer, &theirs[at], error)))
             return false;
         ours[at] = result->report.trace_ms;
@@ -115,7 +147,7 @@ static bool trace_median(const Scene *scene, const RenderSettings *settings, int
     double times[BENCH_MAX_REPEATS];
     for (int i = 0; i < repeats; i++) {
         RenderReport report;
-        if (!trace_once(scene, settings, &report, error))
+        if (!trace_once(scene, settings, NULL, &report, error))
             return false;
         times[i] = report.trace_ms;
         *shadow = report.rays.shadow;
@@ -153,6 +185,16 @@ static void settle_screen(BenchScene *wanted, Scene *scene)
     wanted->grid = scene->grid;
 }
 
+bool bench_settle(BenchScene *wanted, Error *error)
+{
+    Scene scene;
+    if (!scene_load(&scene, wanted->path, error))
+        return false;
+    settle_screen(wanted, &scene);
+    scene_free(&scene);
+    return true;
+}
+
 bool bench_trace(BenchTrace *result, const BenchScene *wanted, const RenderSettings *settings, int repeats,
                  Error *error)
 {
@@ -164,9 +206,18 @@ bool bench_trace(BenchTrace *result, const BenchScene *wanted, const RenderSetti
     settle_screen(&result->scene, &scene);
     result->faces = scene.face_count;
     result->lights = scene.light_count;
-    bool done = peer_start(&peer, result, error) && trace_in_turns(result, &scene, settings, &peer, repeats, error) &&
+    Image picture = {scene.screen.columns, scene.screen.rows, NULL};
+    picture.rgb = malloc((size_t)picture.columns * (size_t)picture.rows * 3);
+    if (!picture.rgb) {
+        scene_free(&scene);
+        return error_memory(error, "the picture");
+    }
+    bool done = peer_start(&peer, result, error) &&
+                trace_in_turns(result, &scene, settings, &peer, &picture, repeats, error) &&
+                (!result->has_peer || peer_finish(&peer, result, &picture, error)) &&
                 trace_by_kind(result, &scene, settings, repeats, error);
     process_end(&peer);
+    image_free(&picture);
     scene_free(&scene);
     return done;
 }

@@ -114,29 +114,38 @@ static bool measure_processes(Bench *bench, const Options *options, Error *error
         scene.columns = process_rungs[i].columns;
         scene.rows = process_rungs[i].rows;
         override_screen(&scene, options);
-        if (!bench_process(result, &scene, bench->repeats, error) || !bench_povray(result, bench->repeats, error))
+        if (!bench_process(result, &scene, bench->repeats, error) ||
+            !bench_povray(result, bench->repeats < 3 ? bench->repeats : 3, error))
             return false;
     }
     return true;
 }
 
+static bool named_scene(const Options *options, int index, BenchScene *scene, Error *error)
+{
+    const char *path = options->operands[index], *slash = strrchr(path, '/');
+    *scene = (BenchScene){.columns = 0};
+    if (strlen(path) >= sizeof scene->path)
+        return error_set(error, ERROR_USAGE, "the path is too long: %s", path);
+    snprintf(scene->name, sizeof scene->name, "%.*s", BENCH_NAME - 1, slash ? slash + 1 : path);
+    snprintf(scene->path, sizeof scene->path, "%s", path);
+    override_screen(scene, options);
+    return bench_settle(scene, error);
+}
+
 static bool measure_scenes(Bench *bench, const Options *options, Error *error)
 {
-    for (int i = 0; i < options->operand_count; i++) {
-        const char *path = options->operands[i], *slash = strrchr(path, '/');
-        BenchScene scene = {.columns = 0};
-        snprintf(scene.name, sizeof scene.name, "%s", slash ? slash + 1 : path);
-        if (strlen(path) >= sizeof scene.path)
-            return error_set(error, ERROR_USAGE, "the path is too long: %s", path);
-        strcpy(scene.path, path);
-        override_screen(&scene, options);
-        tell(options, "tracing", path);
-        if (!bench_trace(&bench->traces[i], &scene, &options->settings, bench->repeats, error))
+    BenchScene scenes[BENCH_MAX_SCENES];
+    for (int i = 0; i < options->operand_count; i++, bench->process_count++) {
+        tell(options, "rendering", options->operands[i]);
+        if (!named_scene(options, i, &scenes[i], error) ||
+            !bench_process(&bench->processes[i], &scenes[i], bench->repeats, error))
             return false;
-        bench->trace_count++;
-        if (!bench_process(&bench->processes[i], &bench->traces[i].scene, bench->repeats, error))
+    }
+    for (int i = 0; i < options->operand_count; i++, bench->trace_count++) {
+        tell(options, "tracing", options->operands[i]);
+        if (!bench_trace(&bench->traces[i], &scenes[i], &options->settings, bench->repeats, error))
             return false;
-        bench->process_count++;
     }
     return true;
 }
@@ -191,7 +200,7 @@ static bool measure(Bench *bench, const Options *options, Error *error)
 {
     if (!options->ladder)
         return measure_scenes(bench, options, error);
-    return measure_ladder(bench, options, error) && measure_processes(bench, options, error) &&
+    return measure_processes(bench, options, error) && measure_ladder(bench, options, error) &&
            measure_scaling(bench, options, error);
 }
 
@@ -203,6 +212,7 @@ bool command_bench(const Options *options, Error *error)
     Bench *bench = calloc(1, sizeof *bench);
     if (!bench)
         return error_memory(error, "the measurements");
+    bench->load = bench_load();
     bench->repeats = options->repeats > 0 ? options->repeats : 5;
     /* The document first: nobody measures for many minutes to hear that it is not there. */
     bool done = (!options->output || document_read(&document, options->output, error)) &&

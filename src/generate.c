@@ -66,7 +66,8 @@ typedef struct City {
 /* Where a plot begins: a street runs after every fourth. */
 static double plot_start(int index)
 {
-    return index + 0.7 * (index / 4);
+    int streets = index / 4;
+    return index + 0.7 * streets;
 }
 
 static void write_city_head(FILE *out, const City *city)

@@ -3,6 +3,7 @@ set terminal pngcairo size 900,480 font "sans,11" background "#ffffff"
 set output out."/bench-scaling.png"
 set title "A city of more and more boxes, 1920 x 1080"
 set logscale xy
+set xrange [8:1.5e6]
 set xlabel "faces"
 set ylabel "milliseconds"
 set format x "10^{%L}"

@@ -103,6 +103,10 @@ static bool fill_materials(PeerScene *peer, Error *error)
 
 static bool commit(PeerScene *peer, unsigned faces, Error *error)
 {
+    peer->rtc = rtcNewScene(peer->device);
+    rtcSetSceneBuildQuality(peer->rtc, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneFlags(peer->rtc, RTC_SCENE_FLAG_NONE);
+    peer->bytes = 0;
     if (!attach_faces(peer, peer->both_sided, 0, error) || !attach_faces(peer, faces - peer->both_sided, 1, error))
         return false;
     double start = clock_ms();
@@ -113,12 +117,15 @@ static bool commit(PeerScene *peer, unsigned faces, Error *error)
     return true;
 }
 
-/* Starts the threads that Embree builds with, so that the first build does not pay for them. */
-static void warm_up(RTCDevice device)
+/* A first build pays for starting threads, so a short one is done again. */
+static bool build(PeerScene *peer, unsigned faces, Error *error)
 {
-    RTCScene scene = rtcNewScene(device);
-    rtcCommitScene(scene);
-    rtcReleaseScene(scene);
+    if (!commit(peer, faces, error))
+        return false;
+    if (peer->build_ms > 200)
+        return true;
+    rtcReleaseScene(peer->rtc);
+    return commit(peer, faces, error);
 }
 
 bool peer_scene_build(PeerScene *peer, const Scene *scene, Error *error)
@@ -128,17 +135,13 @@ bool peer_scene_build(PeerScene *peer, const Scene *scene, Error *error)
     peer->device = rtcNewDevice(config ? config : "frequency_level=simd512");
     if (!peer->device)
         return error_set(error, ERROR_SYSTEM, "Embree does not start: error %d", (int)rtcGetDeviceError(NULL));
-    warm_up(peer->device);
     rtcSetDeviceMemoryMonitorFunction(peer->device, count_bytes, &peer->bytes);
-    peer->rtc = rtcNewScene(peer->device);
-    rtcSetSceneBuildQuality(peer->rtc, RTC_BUILD_QUALITY_HIGH);
-    rtcSetSceneFlags(peer->rtc, RTC_SCENE_FLAG_NONE);
     for (int i = 0; i < scene->face_count; i++)
         peer->both_sided += !scene->faces[i].front_only;
     peer->material_of = malloc(((size_t)scene->face_count + 1) * sizeof *peer->material_of);
     if (!peer->material_of)
         return error_memory(error, "materials of faces");
-    return fill_materials(peer, error) && commit(peer, (unsigned)scene->face_count, error);
+    return fill_materials(peer, error) && build(peer, (unsigned)scene->face_count, error);
 }
 
 void peer_scene_free(PeerScene *peer)

@@ -111,11 +111,13 @@ static void add_term(Vec16 *restrict sum, const float *restrict weights, Vec1 li
     const float colour[3] = {light.x, light.y, light.z};
     for (int k = 0; k < 3; k++) {
         float here[WIDTH], *restrict out = sums[k];
-        if (same)
+        if (same) {
+            float factor = colour[k] * table[k][material[0]];
             for (int i = 0; i < WIDTH; i++)
-                here[i] = table[k][material[0]];
-        else
-            gather16(here, table[k], material);
+                out[i] += weights[i] * factor;
+            continue;
+        }
+        gather16(here, table[k], material);
         for (int i = 0; i < WIDTH; i++)
             out[i] += weights[i] * colour[k] * here[i];
     }
