@@ -207,7 +207,7 @@ bool bench_trace(BenchTrace *result, const BenchScene *wanted, const RenderSetti
     result->faces = scene.face_count;
     result->lights = scene.light_count;
     Image picture = {scene.screen.columns, scene.screen.rows, NULL};
-    picture.rgb = malloc((size_t)picture.columns * (size_t)picture.rows * 3);
+    picture.rgb = calloc((size_t)picture.columns * (size_t)picture.rows, 3);
     if (!picture.rgb) {
         scene_free(&scene);
         return error_memory(error, "the picture");
