@@ -32,7 +32,8 @@ static bool paint_band(void *user, int first_row, int rows, const unsigned char 
     painter->encode_ms += clock_ms() - start;
     const RayCounts *rays = &so_far->rays;
     progress_step(&painter->progress, (double)(first_row + rows) / painter->rows,
-                  rays->primary + rays->shadow + rays->reflection);
+                  rays->primary + rays->shadow + rays->reflection,
+                  so_far->trace_ms + so_far->readback_ms + painter->encode_ms);
     return ok;
 }
 

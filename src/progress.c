@@ -15,9 +15,9 @@ Progress progress_start(ProgressMode mode, bool quiet)
 {
     double now = clock_ms();
     if (mode == PROGRESS_ALWAYS)
-        return (Progress){.shown = true, .start_ms = now, .next_ms = now};
+        return (Progress){.shown = true, .next_ms = now};
     bool shown = mode == PROGRESS_AUTO && !quiet && isatty(STDERR_FILENO);
-    return (Progress){.shown = shown, .start_ms = now, .next_ms = now + FIRST_MS};
+    return (Progress){.shown = shown, .next_ms = now + FIRST_MS};
 }
 
 void progress_line(char *line, int size, double done, uint64_t rays, double seconds)
@@ -28,13 +28,13 @@ void progress_line(char *line, int size, double done, uint64_t rays, double seco
              floor(left / 60), fmod(left, 60));
 }
 
-void progress_step(Progress *progress, double done, uint64_t rays)
+void progress_step(Progress *progress, double done, uint64_t rays, double ms)
 {
     double now = clock_ms();
     if (!progress->shown || now < progress->next_ms)
         return;
     char line[96];
-    progress_line(line, sizeof line, done, rays, (now - progress->start_ms) / 1e3);
+    progress_line(line, sizeof line, done, rays, ms / 1e3);
     int width = (int)strlen(line);
     int rest = progress->width > width ? progress->width - width : 0;
     fprintf(stderr, "\r%s%*s", line, rest, "");

@@ -9,7 +9,6 @@ typedef enum ProgressMode { PROGRESS_AUTO, PROGRESS_ALWAYS, PROGRESS_NEVER } Pro
 
 typedef struct Progress {
     bool shown; /* whether to show anything at all */
-    double start_ms;
     double next_ms; /* not before, so that the line can be read and costs nothing */
     int width;      /* letters on the line now */
 } Progress;
@@ -17,8 +16,8 @@ typedef struct Progress {
 /* AUTO: on a terminal unless `quiet`, and only when it takes a moment. ALWAYS: from the first step on. */
 Progress progress_start(ProgressMode mode, bool quiet);
 
-/* `done` in 0..1 of the picture, `rays` traced so far. */
-void progress_step(Progress *progress, double done, uint64_t rays);
+/* `done` in 0..1 of the picture, `rays` traced so far in `ms`: what went before, such as compiling, would spoil the rate. */
+void progress_step(Progress *progress, double done, uint64_t rays, double ms);
 
 /* Wipes the line. */
 void progress_end(Progress *progress);

@@ -7,6 +7,7 @@
 #include <cjson/cJSON.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 void setUp(void) {}
 void tearDown(void) {}
@@ -108,6 +109,26 @@ static void stats_begin_should_know_that_the_reference_is_double(void)
     TEST_ASSERT_EQUAL_INT(PRECISION_FLOAT, stats_begin(&scene, BACKEND_OPENCL, PRECISION_FLOAT).precision);
 }
 
+/* Its line goes to stderr, which is a file meanwhile. */
+static void progress_should_count_the_time_of_tracing_only(void)
+{
+    char text[128] = "";
+    FILE *file = tmpfile();
+    TEST_ASSERT_NOT_NULL(file);
+    fflush(stderr);
+    int kept = dup(STDERR_FILENO);
+    dup2(fileno(file), STDERR_FILENO);
+    Progress progress = progress_start(PROGRESS_ALWAYS, false);
+    progress_step(&progress, 0.5, 3000000, 2000);
+    fflush(stderr);
+    dup2(kept, STDERR_FILENO);
+    close(kept);
+    rewind(file);
+    TEST_ASSERT_NOT_NULL(fgets(text, sizeof text, file));
+    fclose(file);
+    TEST_ASSERT_EQUAL_STRING("\r50 %, 1.50 million rays/s, 0:02 left", text);
+}
+
 static void progress_line_should_tell_rate_and_time_left(void)
 {
     char line[96];
@@ -127,6 +148,7 @@ int main(void)
     RUN_TEST(stats_text_should_show_counts_in_full);
     RUN_TEST(stats_should_print_nothing_unasked);
     RUN_TEST(stats_begin_should_know_that_the_reference_is_double);
+    RUN_TEST(progress_should_count_the_time_of_tracing_only);
     RUN_TEST(progress_line_should_tell_rate_and_time_left);
     return UNITY_END();
 }
