@@ -142,4 +142,3 @@ bool opencl_warm_up(OpenclSession *session, const SceneOnDevice *on_device, cl_k
     report->compile_ms += clock_ms() - start;
     return ok;
 }
-
