@@ -62,7 +62,7 @@ bool bench_process(BenchProcess *result, const BenchScene *scene, int repeats, E
 /* The same for POV-Ray and the exported scene; leaves 0 where either program is missing. */
 bool bench_povray(BenchProcess *result, int repeats, Error *error);
 
-/* The scene's file BENCH_FOLDER/NAME.json, generated unless it is there. */
+/* Generates the scene's file, BENCH_FOLDER/NAME.json. */
 bool bench_generate(BenchScene *scene, const char *kind, int size, Error *error);
 
 /* Sorts the times and returns the middle one, the mean of the middle two where their number is even. */

@@ -36,8 +36,6 @@ bool bench_generate(BenchScene *scene, const char *kind_name, int size, Error *e
     if (!kind || !make_folders(error))
         return false;
     snprintf(scene->path, sizeof scene->path, BENCH_FOLDER "/%s-%d.json", kind_name, size);
-    if (access(scene->path, R_OK) == 0)
-        return true;
     FILE *out = fopen(scene->path, "w");
     bool made = out && scene_generate(kind, out, size, 0, error);
     if (out && fclose(out) == 0 && made)

@@ -54,13 +54,13 @@ static double next_unit(uint64_t *state)
 
 /* --- The city --- */
 
-enum { HILLS = 4, WALLS = 6 };
+enum { HILLS = 4, WALLS = 6, DISTRICT = 8 };
 
 typedef struct City {
     int side;      /* plots along a side */
     double extent; /* of the whole, streets included; a plot is 1 wide */
     double hill[HILLS][2];
-    uint64_t random;
+    uint64_t random, seed;
 } City;
 
 /* Where a plot begins: a street runs after every fourth. */
@@ -109,13 +109,21 @@ static double house_height(City *city, double x, double z)
     return 0.4 + 0.8 * tall + 1.3 * sqrt(city->extent) * centre * centre * tall * tall * tall;
 }
 
+/* Three houses of four wear the colour of their district. */
+static int house_wall(City *city, int column, int row)
+{
+    uint64_t district = city->seed + (uint64_t)(row / DISTRICT) * 1000 + (uint64_t)(column / DISTRICT);
+    uint64_t own = next_random(&city->random), shared = next_random(&district);
+    return (int)((own % 4 == 0 ? own / 4 : shared) % WALLS);
+}
+
 static void write_house(FILE *out, City *city, int index)
 {
     double width = 0.55 + 0.35 * next_unit(&city->random), depth = 0.55 + 0.35 * next_unit(&city->random);
     double x = plot_start(index % city->side) - city->extent / 2 + (1 - width) * next_unit(&city->random);
     double z = plot_start(index / city->side) - city->extent / 2 + (1 - depth) * next_unit(&city->random);
     double height = house_height(city, x, z);
-    int wall = (int)(next_random(&city->random) % WALLS);
+    int wall = house_wall(city, index % city->side, index / city->side);
     fprintf(out,
             ",\n    { \"material\": \"wall%d\", \"box\": { \"min\": [%.4f, 0, %.4f], \"max\": [%.4f, %.4f, %.4f] } }",
             wall, x, z, x + width, height, z + depth);
@@ -124,7 +132,7 @@ static void write_house(FILE *out, City *city, int index)
 bool generate_city(FILE *out, int boxes, uint64_t seed, Error *error)
 {
     (void)error;
-    City city = {.side = (int)ceil(sqrt(boxes)), .random = seed};
+    City city = {.side = (int)ceil(sqrt(boxes)), .random = seed, .seed = seed};
     city.extent = plot_start(city.side - 1) + 1;
     for (int i = 0; i < HILLS; i++)
         for (int k = 0; k < 2; k++)
