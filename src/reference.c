@@ -22,6 +22,13 @@ typedef struct Search {
     int blocker; /* the face in a shadow ray's way, -1 for none */
 } Search;
 
+/* Tells the recorder, where there is one, of an event: its kind and what belongs to it. Nothing is made where there is none. */
+#define TELL(tracer, ...)                                          \
+    do {                                                           \
+        if ((tracer)->recorder)                                    \
+            tell((tracer)->recorder, (Event){.kind = __VA_ARGS__}); \
+    } while (0)
+
 static void tell(const Recorder *recorder, Event event) { recorder->record(recorder->user, &event); }
 
 static Vec3 unit_or_zero(Vec3 a) { return vec3_dot(a, a) > 0 ? vec3_unit(a) : a; }
@@ -60,8 +67,7 @@ static bool visit_for_nearest(Walk *walk, int face)
                          tracer->recorder != NULL);
         tracer->report->face_tests++;
     }
-    if (tracer->recorder)
-        tell(tracer->recorder, (Event){.kind = EVENT_FACE, .as.face = {face, test, nearest->test.t}});
+    TELL(tracer, EVENT_FACE, .as.face = {face, test, nearest->test.t});
     bool nearer = test.t_in_box < walk->limit || (test.t_in_box == walk->limit && face < nearest->face);
     if (test.verdict == FACE_INSIDE && nearer) {
         nearest->face = face;
@@ -99,8 +105,7 @@ static bool visit_for_blocker(Walk *walk, int face)
     FaceTest test = face_test_segment(&tracer->scene->faces[face], &tracer->scene->planes[face], walk->origin, search->to,
                                       tracer->recorder != NULL);
     tracer->report->face_tests++;
-    if (tracer->recorder)
-        tell(tracer->recorder, (Event){.kind = EVENT_OCCLUDER, .as.occluder = {face, test}});
+    TELL(tracer, EVENT_OCCLUDER, .as.occluder = {face, test});
     if (test.verdict == FACE_INSIDE)
         search->blocker = face;
     return test.verdict != FACE_INSIDE;
@@ -115,6 +120,16 @@ static int find_blocker(const Tracer *tracer, const Hit *hit, const Light *light
     return search.blocker;
 }
 
+static void tell_light(const Tracer *tracer, const Hit *hit, int index, int side)
+{
+    Vec3 position = tracer->scene->lights[index].position;
+    Vec3 to_light = vec3_sub(position, hit->point);
+    Vec3 from_vertex = vec3_sub(position, face_vertex(&tracer->scene->faces[hit->face], 0));
+    double height = side == 0 ? 0 : vec3_dot(hit->normal, from_vertex);
+    TELL(tracer, EVENT_LIGHT, .as.light = {index, side, position, to_light, vec3_length(to_light), height,
+                                           unit_or_zero(to_light), hit->shifted});
+}
+
 /* Step 6 for one light: is it in front of the face, and does anything stand between? */
 static LightVerdict look_at_light(const Tracer *tracer, const Hit *hit, int index)
 {
@@ -127,19 +142,12 @@ static LightVerdict look_at_light(const Tracer *tracer, const Hit *hit, int inde
     int blocker = -1;
     if (behind)
         tracer->report->skipped_light_behind++;
-    if (tracer->recorder) {
-        Vec3 to_light = vec3_sub(light->position, hit->point);
-        Vec3 from_vertex = vec3_sub(light->position, face_vertex(&scene->faces[hit->face], 0));
-        tell(tracer->recorder, (Event){.kind = EVENT_LIGHT,
-                               .as.light = {index, side, light->position, to_light, vec3_length(to_light),
-                                            side == 0 ? 0 : vec3_dot(hit->normal, from_vertex), unit_or_zero(to_light),
-                                            hit->shifted}});
-    }
+    if (tracer->recorder)
+        tell_light(tracer, hit, index, side);
     if (!behind)
         blocker = find_blocker(tracer, hit, light);
     LightVerdict verdict = behind ? LIGHT_BEHIND_FACE : blocker >= 0 ? LIGHT_BLOCKED : LIGHT_REACHES;
-    if (tracer->recorder)
-        tell(tracer->recorder, (Event){.kind = EVENT_LIGHT_END, .as.light_end = {index, verdict, blocker}});
+    TELL(tracer, EVENT_LIGHT_END, .as.light_end = {index, verdict, blocker});
     return verdict;
 }
 
@@ -161,9 +169,7 @@ static Vec3 shade(const Tracer *tracer, const Hit *hit, Vec3 v, int *reaching)
         if (reaches)
             sum = vec3_add(vec3_add(terms.ambient, terms.diffuse), terms.specular);
         colour = vec3_add(colour, sum);
-        if (tracer->recorder)
-            tell(tracer->recorder,
-                 (Event){.kind = EVENT_TERMS, .as.terms = {i, terms, l, v, sum, material->shininess / 4, !reaches}});
+        TELL(tracer, EVENT_TERMS, .as.terms = {i, terms, l, v, sum, material->shininess / 4, !reaches});
     }
     return colour;
 }
@@ -189,6 +195,20 @@ static bool path_ends(const Scene *scene, const Material *material, int reaching
     return true;
 }
 
+/* V: to the camera, or back along the ray that arrived, whose unit direction is r. */
+static Vec3 viewer_direction(const Scene *scene, const Hit *hit, Vec3 r)
+{
+    if (scene->shading.viewer == VIEWER_RAY)
+        return vec3_negate(r);
+    return unit_or_zero(vec3_sub(scene->camera.position, hit->point));
+}
+
+static Vec3 end_path(const Tracer *tracer, PathEnd reason, Vec3 total, int bounces)
+{
+    TELL(tracer, EVENT_PATH_END, .as.path_end = {reason, total, bounces});
+    return total;
+}
+
 /* Steps 3 to 10 for one primary ray: the sum of the hits' illuminations, each weighted by the mirrors before it. */
 static Vec3 trace_path(const Tracer *tracer, Ray ray)
 {
@@ -198,44 +218,32 @@ static Vec3 trace_path(const Tracer *tracer, Ray ray)
     int left = -1; /* the face that the ray leaves */
     for (int bounces = 0;; bounces++) {
         Hit hit = nearest_hit(tracer, ray, left);
-        PathEnd reason = PATH_MISSED;
         if (hit.face < 0) {
             Vec3 seen = vec3_scale(weight, scene->shading.background);
             total = vec3_add(total, seen);
-            if (tracer->recorder)
-                tell(tracer->recorder, (Event){.kind = EVENT_MISS, .as.miss = {scene->shading.background, seen, weight}});
-        } else {
-            place_hit(scene, ray, &hit);
-            if (tracer->recorder)
-                tell(tracer->recorder, (Event){.kind = EVENT_HIT,
-                                       .as.hit = {hit.face, hit.test, hit.point, hit.normal, hit.shifted, bounces}});
-            const Material *material = &scene->materials[scene->faces[hit.face].material];
-            Vec3 r = vec3_unit(ray.direction);
-            Vec3 v = scene->shading.viewer == VIEWER_RAY
-                         ? vec3_negate(r)
-                         : unit_or_zero(vec3_sub(scene->camera.position, hit.point));
-            int reaching;
-            Vec3 illumination = shade(tracer, &hit, v, &reaching);
-            Vec3 contribution = vec3_scale(weight, illumination);
-            total = vec3_add(total, contribution);
-            if (tracer->recorder)
-                tell(tracer->recorder, (Event){.kind = EVENT_SHADED,
-                                       .as.shaded = {illumination, contribution, total, weight, reaching}});
-            if (!path_ends(scene, material, reaching, bounces, &reason)) {
-                ray = reflected_ray(&hit, r);
-                weight *= material->reflection;
-                left = hit.face;
-                tracer->report->rays.reflection++;
-                if (tracer->recorder)
-                    tell(tracer->recorder, (Event){.kind = EVENT_REFLECTED,
-                                           .as.reflected = {r, ray.direction, ray.origin, material->reflection, weight,
-                                                            bounces + 1}});
-                continue;
-            }
+            TELL(tracer, EVENT_MISS, .as.miss = {scene->shading.background, seen, weight});
+            return end_path(tracer, PATH_MISSED, total, bounces);
         }
-        if (tracer->recorder)
-            tell(tracer->recorder, (Event){.kind = EVENT_PATH_END, .as.path_end = {reason, total, bounces}});
-        return total;
+        place_hit(scene, ray, &hit);
+        TELL(tracer, EVENT_HIT, .as.hit = {hit.face, hit.test, hit.point, hit.normal, hit.shifted, bounces});
+
+        Vec3 r = vec3_unit(ray.direction);
+        int reaching;
+        Vec3 illumination = shade(tracer, &hit, viewer_direction(scene, &hit, r), &reaching);
+        Vec3 contribution = vec3_scale(weight, illumination);
+        total = vec3_add(total, contribution);
+        TELL(tracer, EVENT_SHADED, .as.shaded = {illumination, contribution, total, weight, reaching});
+
+        const Material *material = &scene->materials[scene->faces[hit.face].material];
+        PathEnd reason;
+        if (path_ends(scene, material, reaching, bounces, &reason))
+            return end_path(tracer, reason, total, bounces);
+        ray = reflected_ray(&hit, r);
+        weight *= material->reflection;
+        left = hit.face;
+        tracer->report->rays.reflection++;
+        TELL(tracer, EVENT_REFLECTED,
+             .as.reflected = {r, ray.direction, ray.origin, material->reflection, weight, bounces + 1});
     }
 }
 
@@ -244,12 +252,12 @@ Vec3 reference_sample(const Tracer *tracer, int column, int row, int i, int j)
     View view = view_of(tracer->scene);
     Ray ray = {view.eye, view_direction(&view, column, row, i, j)};
     tracer->report->rays.primary++;
-    if (tracer->recorder)
-        tell(tracer->recorder, (Event){.kind = EVENT_SAMPLE,
-                               .as.sample = {column, row, i, j, view_screen_point(&view, column, row, i, j), ray.origin,
-                                             vec3_add(ray.origin, ray.direction), ray.direction}});
+    TELL(tracer, EVENT_SAMPLE, .as.sample = {column, row, i, j, view_screen_point(&view, column, row, i, j), ray.origin,
+                                             vec3_add(ray.origin, ray.direction), ray.direction});
     return trace_path(tracer, ray);
 }
+
+static Vec3 clamped(Vec3 c) { return vec3(fmin(fmax(c.x, 0), 1), fmin(fmax(c.y, 0), 1), fmin(fmax(c.z, 0), 1)); }
 
 Vec3 reference_pixel(const Tracer *tracer, int column, int row)
 {
@@ -260,13 +268,9 @@ Vec3 reference_pixel(const Tracer *tracer, int column, int row)
             sum = vec3_add(sum, reference_sample(tracer, column, row, i, j));
     double samples = (double)scene->grid * scene->grid;
     Vec3 average = vec3(sum.x / samples, sum.y / samples, sum.z / samples);
-    if (tracer->recorder) {
-        Vec3 clamped = vec3(fmin(fmax(average.x, 0), 1), fmin(fmax(average.y, 0), 1), fmin(fmax(average.z, 0), 1));
-        tell(tracer->recorder, (Event){.kind = EVENT_PIXEL,
-                               .as.pixel = {sum, average, clamped, scene->grid * scene->grid,
-                                            {colour_to_byte(average.x), colour_to_byte(average.y),
-                                             colour_to_byte(average.z)}}});
-    }
+    TELL(tracer, EVENT_PIXEL, .as.pixel = {sum, average, clamped(average), scene->grid * scene->grid,
+                                           {colour_to_byte(average.x), colour_to_byte(average.y),
+                                            colour_to_byte(average.z)}});
     return average;
 }
 
