@@ -19,7 +19,7 @@ WERROR     ?= -Werror
 # What a variant adds to compiling and linking alike: a sanitizer, coverage.
 INSTRUMENT ?=
 
-# -ffp-contract=off: no silent fused multiply-add, so that every machine rounds alike (docs/).
+# -ffp-contract=off: no silent fused multiply-add, so that every machine rounds alike (docs/algorithm.md).
 # -fno-tree-slp-vectorize: GCC 12 at -O2 takes (double)(float)x for x in two of three neighbouring values.
 STANDARD := -std=c99 -D_POSIX_C_SOURCE=200809L -DCL_TARGET_OPENCL_VERSION=120 -ffp-contract=off \
     -fno-tree-slp-vectorize

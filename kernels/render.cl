@@ -144,7 +144,7 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
 kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                  global const wide *planes, global const wide *rays, global int *hits_face, global wide *hits_t,
                  volatile global uint *totals,
-                   global const float *tree_floats, global const int *tree_ints)
+                 global const float *tree_floats, global const int *tree_ints)
 {
     Geometry g = {faces, edges, planes, parameters->face_count};
     Tree tree = {tree_floats, tree_ints};

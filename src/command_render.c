@@ -63,13 +63,21 @@ static bool spare_scene(const char *scene_path, const char *output, Error *error
     return true;
 }
 
+static void show_notice(void *user, const char *text)
+{
+    Painter *painter = user;
+    progress_note(&painter->progress, text);
+}
+
 static bool trace(const Options *options, const Scene *scene, Painter *painter, RenderReport *report, Error *error)
 {
     BandSink sink = {paint_band, painter};
     painter->rows = scene->screen.rows;
     painter->progress = progress_start(options->progress, options->quiet);
-    bool done = options->backend == BACKEND_REFERENCE ? reference_render(scene, &options->settings, sink, report, error)
-                                                      : opencl_render(scene, &options->settings, sink, report, error);
+    RenderSettings settings = options->settings;
+    settings.notice = (Notice){show_notice, painter};
+    bool done = options->backend == BACKEND_REFERENCE ? reference_render(scene, &settings, sink, report, error)
+                                                      : opencl_render(scene, &settings, sink, report, error);
     progress_end(&painter->progress);
     return done;
 }

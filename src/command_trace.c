@@ -83,7 +83,8 @@ static bool trace(const Options *options, const Scene *scene, Error *error)
     };
     Accel accel = {.kind = ACCEL_NONE};
     Walkthrough walk = {0};
-    note_unused(options);
+    if (!options->quiet)
+        note_unused(options);
     bool done = check_request(options, scene, error) && accel_build(&accel, scene, accel_kind(options), 1, error) &&
                 walkthrough_record(&walk, scene, &accel, options->operands[0], request, error) &&
                 write_file(options, &walk, error);

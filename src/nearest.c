@@ -40,7 +40,7 @@ const char *nearest_word(const char *word, const char *const *known)
             continue;
         int distance = word_distance(word, *known);
         int allowed = ((int)strlen(*known) + 2) / 3;
-        if (distance <= allowed && (!nearest || distance < nearest_distance)) {
+        if (distance <= allowed && distance < (int)strlen(word) && (!nearest || distance < nearest_distance)) {
             nearest = *known;
             nearest_distance = distance;
         }

@@ -31,15 +31,18 @@ static const struct {
     {-1001, "CL_PLATFORM_NOT_FOUND_KHR"},
 };
 
-bool opencl_ok(Error *error, cl_int status, const char *call)
+const char *opencl_status_name(cl_int status)
 {
-    if (status == CL_SUCCESS)
-        return true;
-    const char *name = "an error that this program has no name for";
     for (size_t i = 0; i < sizeof status_names / sizeof status_names[0]; i++)
         if (status_names[i].code == status)
-            name = status_names[i].name;
-    return error_set(error, ERROR_SYSTEM, "OpenCL: %s failed with %d, %s", call, (int)status, name);
+            return status_names[i].name;
+    return "an unknown error";
+}
+
+bool opencl_ok(Error *error, cl_int status, const char *call)
+{
+    return status == CL_SUCCESS || error_set(error, ERROR_SYSTEM, "OpenCL: %s failed with %d, %s", call, (int)status,
+                                             opencl_status_name(status));
 }
 
 /* A string property cut to the size of `text`; "unknown" when the device does not tell. */

@@ -73,8 +73,8 @@ static bool report_build_failure(OpenclSession *session, cl_int status, Error *e
     if (!log)
         return error_memory(error, "the compiler's log");
     clGetProgramBuildInfo(session->program, session->device, CL_PROGRAM_BUILD_LOG, size, log, NULL);
-    error_set(error, ERROR_SYSTEM, "the kernels do not compile for %s (OpenCL error %d); the compiler says:\n%s",
-              session->info.name, (int)status, log);
+    error_set(error, ERROR_SYSTEM, "the kernels do not compile for %s (%s); the compiler says:\n%s", session->info.name,
+              opencl_status_name(status), log);
     free(log);
     return false;
 }
@@ -122,11 +122,20 @@ static bool build_kept(OpenclSession *session, const char *options)
     return false;
 }
 
+static void notify_compiling(const OpenclSession *session)
+{
+    char text[256];
+    snprintf(text, sizeof text, "compiling the kernels for %s, once", session->info.name);
+    if (session->notice.tell)
+        session->notice.tell(session->notice.user, text);
+}
+
 static bool build_program(OpenclSession *session, const Sources *sources, const char *options, Error *error)
 {
     if (build_kept(session, options))
         return true;
     session->from_source = true;
+    notify_compiling(session);
     cl_int status;
     session->program = clCreateProgramWithSource(session->context, (cl_uint)(2 * sources->count),
                                                  (const char **)sources->texts, NULL, &status);
@@ -164,6 +173,7 @@ static bool open_context(OpenclSession *session, Error *error)
 bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderReport *report, Error *error)
 {
     double start = clock_ms();
+    session->notice = settings->notice;
     if (!opencl_find_device(settings->device, settings->threads, &session->device, &session->info, error) ||
         !choose_lanes(session, settings, error) || !open_context(session, error))
         return false;

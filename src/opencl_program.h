@@ -17,6 +17,7 @@ typedef struct OpenclSession {
     cl_context context;
     cl_command_queue queue;
     cl_program program;
+    Notice notice;
     CacheKey key;     /* of the program */
     bool from_source; /* it was compiled in this run, not kept from an earlier one */
     cl_mem buffers[OPENCL_MAX_BUFFERS];

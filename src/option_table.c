@@ -138,7 +138,7 @@ static bool set_bounces(Options *o, const char *value)
 
 static bool set_threads(Options *o, const char *value)
 {
-    return read_int(value, 1, 1024, '\0', &o->settings.threads);
+    return read_int(value, 1, 256, '\0', &o->settings.threads);
 }
 
 static bool set_device(Options *o, const char *value)
@@ -267,12 +267,12 @@ const Option option_table[] = {
     {"accel", 'a', "NAME", "render trace cast bench", set_accel, "auto, none, kdtree or bvh",
      "auto (default), none, kdtree or bvh: how to find faces"},
     {"lanes", 0, "N", "render cast bench", set_lanes, "1, 4, 8 or 16", "rays that an OpenCL work-item traces: 1, 4, 8 or 16"},
-    {"threads", 't', "N", "render bench", set_threads, "a whole number from 1 to 1024", "processors to use (default: all)"},
+    {"threads", 't', "N", "render bench", set_threads, "a whole number from 1 to 256", "processors to use (default: all)"},
     {"stats", 0, "[=FORMAT]", "render cast", set_stats, "text or json",
      "tell what was done and how long it took: text or json"},
     {"progress", 0, "WHEN", "render", set_progress, "auto, always or never",
      "auto (default: on a terminal), always or never"},
-    {"quiet", 'q', NULL, "render check cast compare bench", set_quiet, NULL, "no messages but errors"},
+    {"quiet", 'q', NULL, "render trace cast check compare bench generate devices", set_quiet, NULL, "no messages but errors"},
     {"help", 'h', NULL, "", set_help, NULL, "show this help"},
     {"version", 'V', NULL, "", set_version, NULL, "show the version"},
     {0},

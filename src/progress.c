@@ -28,6 +28,16 @@ void progress_line(char *line, int size, double done, uint64_t rays, double seco
              floor(left / 60), fmod(left, 60));
 }
 
+/* Writes the text over the line that is there. */
+static void rewrite(Progress *progress, const char *text)
+{
+    int width = (int)strlen(text);
+    int rest = progress->width > width ? progress->width - width : 0;
+    fprintf(stderr, "\r%s%*s", text, rest, "");
+    fflush(stderr);
+    progress->width = width;
+}
+
 void progress_step(Progress *progress, double done, uint64_t rays, double ms)
 {
     double now = clock_ms();
@@ -35,12 +45,14 @@ void progress_step(Progress *progress, double done, uint64_t rays, double ms)
         return;
     char line[96];
     progress_line(line, sizeof line, done, rays, ms / 1e3);
-    int width = (int)strlen(line);
-    int rest = progress->width > width ? progress->width - width : 0;
-    fprintf(stderr, "\r%s%*s", line, rest, "");
-    fflush(stderr);
-    progress->width = width;
+    rewrite(progress, line);
     progress->next_ms = now + INTERVAL_MS;
+}
+
+void progress_note(Progress *progress, const char *text)
+{
+    if (progress->shown)
+        rewrite(progress, text);
 }
 
 void progress_end(Progress *progress)

@@ -19,6 +19,9 @@ Progress progress_start(ProgressMode mode, bool quiet);
 /* `done` in 0..1 of the picture, `rays` traced so far in `ms`: what went before, such as compiling, would spoil the rate. */
 void progress_step(Progress *progress, double done, uint64_t rays, double ms);
 
+/* Shows a few words instead, such as what is being prepared. */
+void progress_note(Progress *progress, const char *text);
+
 /* Wipes the line. */
 void progress_end(Progress *progress);
 

@@ -12,12 +12,19 @@ typedef enum Backend { BACKEND_OPENCL, BACKEND_REFERENCE } Backend;
 typedef enum Precision { PRECISION_FLOAT, PRECISION_DOUBLE } Precision;
 typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH } AccelKind;
 
+/* Told of what takes long before there is a picture, such as "compiling ...": a few words, without a newline. */
+typedef struct Notice {
+    void (*tell)(void *user, const char *text); /* NULL: nobody listens */
+    void *user;
+} Notice;
+
 typedef struct RenderSettings {
     Precision precision; /* of the kernel; the reference is always double */
     AccelKind accel;
     int threads;         /* 0: one per processor */
     int device;          /* number in the list of `rectray devices`; -1: the default */
     int lanes;           /* rays per work-item: 1, 4, 8 or 16; 0: what suits the device */
+    Notice notice;
 } RenderSettings;
 
 typedef struct RayCounts {

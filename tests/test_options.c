@@ -103,7 +103,7 @@ static void options_should_take_stats_with_and_without_a_format(void)
 
 static void options_should_take_the_limits_of_a_number_and_nothing_beyond(void)
 {
-    TEST_ASSERT_TRUE(parse("render a --size 1x16384 --grid 16 --bounces 64 --threads 1024 --device 0"));
+    TEST_ASSERT_TRUE(parse("render a --size 1x16384 --grid 16 --bounces 64 --threads 256 --device 0"));
     TEST_ASSERT_EQUAL_INT(16384, options.rows);
     assert_refused("render a --size 0x1", "--size '0x1': expected two whole numbers from 1 to 16384, such as 640x480");
     assert_refused("render a --size 1x16385",
@@ -111,7 +111,7 @@ static void options_should_take_the_limits_of_a_number_and_nothing_beyond(void)
     assert_refused("render a --grid 0", "--grid '0': expected a whole number from 1 to 16");
     assert_refused("render a --grid 17", "--grid '17': expected a whole number from 1 to 16");
     assert_refused("render a --bounces 65", "--bounces '65': expected a whole number from 0 to 64");
-    assert_refused("render a --threads 0", "--threads '0': expected a whole number from 1 to 1024");
+    assert_refused("render a --threads 0", "--threads '0': expected a whole number from 1 to 256");
     assert_refused("compare a b --tolerance 256", "--tolerance '256': expected a whole number from 0 to 255");
     assert_refused("render a --grid 99999999999999999999", "--grid '99999999999999999999': expected a whole number from 1 to 16");
 }
