@@ -12,7 +12,8 @@
 #include <unistd.h>
 
 #define CACHE "build/bench/cache"
-#define CACHE_SETTING "POCL_CACHE_DIR=build/bench/cache"
+#define OWN_CACHE "RECTRAY_CACHE_DIR=build/bench/cache/kernels" /* see opencl_cache.h */
+#define DRIVER_CACHE "POCL_CACHE_DIR=build/bench/cache/driver"
 #define PICTURE "build/bench/picture.png"
 #define EXPORT_COMMAND "build/peers/povray_export \"$1\" > build/bench/scene.pov"
 #define POVRAY_SCENE "+Ibuild/bench/scene.pov"
@@ -81,10 +82,10 @@ static bool render_process(const BenchScene *scene, BenchPhases *phases, double 
     char program[1024], size[32], grid[16], line[8192];
     snprintf(size, sizeof size, "--size=%dx%d", scene->columns, scene->rows);
     snprintf(grid, sizeof grid, "--grid=%d", scene->grid);
-    const char *argv[] = {"env",    CACHE_SETTING, own_path(program, sizeof program),
-                          "render", scene->path,   size,
-                          grid,     "--quiet",     "--stats=json",
-                          "-o",     PICTURE,       NULL};
+    const char *argv[] = {"env",     OWN_CACHE,      DRIVER_CACHE, own_path(program, sizeof program),
+                          "render",  scene->path,    size,         grid,
+                          "--quiet", "--stats=json", "-o",         PICTURE,
+                          NULL};
     if (!process_run(argv, line, sizeof line, wall_ms, error))
         return false;
     return read_phases(line, phases, peak_bytes) || error_set(error, ERROR_SYSTEM, "render told no statistics");
