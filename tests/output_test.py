@@ -87,7 +87,8 @@ class Output(CommandTest):
 class Interrupt(CommandTest):
     def interrupted(self, number, *words):
         """Starts a rendering that takes minutes, stops it when its file is there, returns stderr."""
-        process = self.start("render", "scene.json", "-o", "a.png", "--size", "6000x6000", "--grid", "16", *words)
+        process = self.start("render", "scene.json", "-o", "a.png", "--size", "6000x6000", "--grid", "16", *words,
+                             preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))  # the caller may ignore it
         deadline = time.time() + 60
         while not any(name.endswith(".part") for name in os.listdir(self.folder)) and time.time() < deadline:
             time.sleep(0.01)
