@@ -12,7 +12,8 @@ set grid ytics lc "#dddddd"
 set border 3 lc "#666666"
 set xtics rotate by -30 nomirror
 set ytics nomirror
-set key top left
+set key outside top right horizontal
+set tmargin 5
 set yrange [1:*]
 data = folder."/ladder.dat"
 plot data using 3:xtic(1) title "rectray" lc "#2b6cb0", \
