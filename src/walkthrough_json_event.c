@@ -86,6 +86,7 @@ static void put_light(Node node, const Scene *scene, const WalkPlace *place, con
     node_vector(node, "light_minus_v0", vec3_sub(event->as.light.position, face_vertex(face, 0)));
     node_number(node, "height", event->as.light.height);
     node_number(node, "side", event->as.light.side);
+    node_number(node, "n_dot_l", event->as.light.side == 0 ? 0 : vec3_dot(place->hit->as.hit.normal, event->as.light.l));
     node_vector(node, "shadow_origin", walk_world(scene, event->as.light.shadow_origin));
 }
 

@@ -25,6 +25,9 @@ void text_light(TextWalk *text, const Event *event)
     const char *relation = side > 0 ? " > 0" : side < 0 ? " < 0" : "";
     ink_line(ink, "    N.(light - v0) = %s.%s\t= %s%s", ink_vector(hit->as.hit.normal, 6).text,
              ink_vector(from_vertex, 6).text, ink_number(event->as.light.height, 6).text, relation);
+    double n_dot_l = side == 0 ? 0 : vec3_dot(hit->as.hit.normal, event->as.light.l);
+    ink_line(ink, "    N.L            = %s.%s\t= %s%s", ink_vector(hit->as.hit.normal, 6).text,
+             ink_vector(event->as.light.l, 6).text, ink_number(n_dot_l, 6).text, relation);
     if (side > 0)
         ink_line(ink, "    The light is in front of the face. The ray from P%d' (t = 0) to the light (t = 1):\n",
                  number);

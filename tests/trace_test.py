@@ -125,6 +125,7 @@ class Story:
     def light(self, event):
         self.near(unit(minus(event["position"], self.point)), event["l"])
         self.near([dot(self.n, minus(event["position"], self.v0))], [event["height"]], 1e-6)
+        self.near([dot(self.n, event["l"])], [event["n_dot_l"]], 1e-6)
 
     def terms(self, event):
         l, v, n = event["l"], event["v"], self.n
