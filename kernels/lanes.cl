@@ -137,7 +137,6 @@ static Vec vec_sub(Vec a, Vec b) { return vec(a.x - b.x, a.y - b.y, a.z - b.z); 
 static Vec vec_scale(Lanes s, Vec a) { return vec(s * a.x, s * a.y, s * a.z); }
 static Vec vec_multiply(Vec a, Vec b) { return vec(a.x * b.x, a.y * b.y, a.z * b.z); }
 static Lanes vec_dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static Lanes vec_magnitudes(Vec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 static Lanes vec_largest(Vec a) { return GREATER(GREATER(fabs(a.x), fabs(a.y)), fabs(a.z)); }
 static Vec vec_select(Mask mask, Vec a, Vec b) { return vec(mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z); }
 
