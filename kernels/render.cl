@@ -89,6 +89,25 @@ static void colour_to_bytes(Lanes c, int *bytes)
 #endif
 }
 
+#ifdef LINEAR
+/* With this build option the picture is three reals a pixel, as they are, instead of three bytes. */
+static void store_tile(global uchar *picture, const Parameters *p, int first_column, int first_row, Vec colour)
+{
+    real red[LANES], green[LANES], blue[LANES];
+    STORE(colour.x, red);
+    STORE(colour.y, green);
+    STORE(colour.z, blue);
+    for (int lane = 0; lane < LANES; lane++) {
+        int column = first_column + lane % TILE_COLUMNS, row = first_row + lane / TILE_COLUMNS;
+        if (column >= p->columns || row >= p->band_rows)
+            continue;
+        global real *out = (global real *)picture + ((size_t)row * (size_t)p->columns + (size_t)column) * 3;
+        out[0] = red[lane];
+        out[1] = green[lane];
+        out[2] = blue[lane];
+    }
+}
+#else
 static void store_tile(global uchar *rgb, const Parameters *p, int first_column, int first_row, Vec colour)
 {
     int red[LANES], green[LANES], blue[LANES];
@@ -106,6 +125,7 @@ static void store_tile(global uchar *rgb, const Parameters *p, int first_column,
         }
     }
 }
+#endif
 
 /* rgb: band_rows * columns * 3 bytes. One work-item per tile, tiles row by row; surplus work-items do nothing. */
 kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,

@@ -1,6 +1,7 @@
 /* The OpenCL backend: renders a scene band by band, the height of a band by the time that the last one took. */
 #include "opencl.h"
 
+#include "light.h"
 #include "opencl_upload.h"
 
 #include <stdlib.h>
@@ -21,11 +22,46 @@ static int next_band(int rows, int most, double ms)
     return rows < most ? rows : most;
 }
 
+/* A band on its way: what the device wrote, the bytes that the sink gets, and the linear colours where they are wanted. */
+typedef struct Pixels {
+    cl_mem device;
+    void *read;         /* bytes, or reals of the session's precision */
+    unsigned char *rgb; /* the same as `read` where that is bytes */
+    double *linear;     /* the whole picture's, or NULL */
+} Pixels;
+
+/* Bytes of a value on the device. */
+static size_t value_bytes(const OpenclSession *session)
+{
+    return !session->linear ? 1 : session->precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float);
+}
+
+static void take_linear(const OpenclSession *session, const Pixels *pixels, const Parameters *band)
+{
+    double *out = pixels->linear + (size_t)band->first_row * (size_t)band->columns * 3;
+    size_t count = (size_t)band->band_rows * (size_t)band->columns * 3;
+    for (size_t i = 0; i < count; i++) {
+        out[i] =
+            session->precision == PRECISION_DOUBLE ? ((double *)pixels->read)[i] : (double)((float *)pixels->read)[i];
+        pixels->rgb[i] = colour_to_byte(out[i]);
+    }
+}
+
+static bool read_band(OpenclSession *session, const Pixels *pixels, const Parameters *band, RenderReport *report,
+                      Error *error)
+{
+    size_t values = (size_t)band->band_rows * (size_t)band->columns * 3;
+    if (!opencl_read(session, pixels->device, values * value_bytes(session), pixels->read, report, error))
+        return false;
+    if (session->linear)
+        take_linear(session, pixels, band);
+    return true;
+}
+
 static bool render_bands(OpenclSession *session, const Scene *scene, const SceneOnDevice *on_device, cl_kernel kernel,
-                         cl_mem pixels, unsigned char *rgb, int most_rows, BandSink sink, RenderReport *report, Error *error)
+                         const Pixels *pixels, int most_rows, BandSink sink, RenderReport *report, Error *error)
 {
     Parameters parameters = opencl_parameters(scene);
-    size_t row_bytes = (size_t)parameters.columns * 3;
     size_t tiles_across = (size_t)((parameters.columns + session->tile_columns - 1) / session->tile_columns);
     int band = FIRST_BAND_ROWS < most_rows ? FIRST_BAND_ROWS : most_rows;
     if (!opencl_warm_up(session, on_device, kernel, parameters, report, error))
@@ -36,8 +72,8 @@ static bool render_bands(OpenclSession *session, const Scene *scene, const Scene
         size_t tiles_down = (size_t)((parameters.band_rows + session->tile_rows - 1) / session->tile_rows);
         double before = report->trace_ms;
         if (!opencl_launch(session, on_device, kernel, &parameters, tiles_across * tiles_down, report, error) ||
-            !opencl_read(session, pixels, (size_t)parameters.band_rows * row_bytes, rgb, report, error) ||
-            !sink.band(sink.user, row, parameters.band_rows, rgb, report, error))
+            !read_band(session, pixels, &parameters, report, error) ||
+            !sink.band(sink.user, row, parameters.band_rows, pixels->rgb, report, error))
             return false;
         band = next_band(band, most_rows, report->trace_ms - before);
     }
@@ -64,28 +100,33 @@ static bool render_session(OpenclSession *session, const Scene *scene, const Ren
     if (!opencl_prepare(session, "render", scene, settings, &on_device, report, error))
         return false;
     int most_rows = band_limit(session, scene);
-    size_t bytes = (size_t)most_rows * (size_t)scene->screen.columns * 3;
-    cl_mem pixels = opencl_buffer(session, CL_MEM_WRITE_ONLY, bytes, NULL, error);
-    if (!pixels)
+    size_t values = (size_t)most_rows * (size_t)scene->screen.columns * 3, bytes = values * value_bytes(session);
+    Pixels pixels = {.device = opencl_buffer(session, CL_MEM_WRITE_ONLY, bytes, NULL, error),
+                     .linear = settings->linear};
+    if (!pixels.device)
         return false;
-    unsigned char *rgb = malloc(bytes);
-    if (!rgb)
-        return error_memory(error, "a band of the picture");
-    cl_mem arguments[] = {on_device.parameters, on_device.faces,  on_device.edges, on_device.planes,
-                          on_device.materials,  on_device.lights, on_device.view,  pixels,
-                          on_device.counters,   on_device.tree_floats,  on_device.tree_ints};
-    cl_kernel kernel = opencl_kernel(session, "render", arguments, sizeof arguments / sizeof arguments[0], error);
-    bool ok = kernel && render_bands(session, scene, &on_device, kernel, pixels, rgb, most_rows, sink, report, error);
+    pixels.read = malloc(bytes);
+    pixels.rgb = session->linear ? malloc(values) : pixels.read;
+    bool ok = (pixels.read && pixels.rgb) || error_memory(error, "a band of the picture");
+    cl_mem arguments[] = {on_device.parameters, on_device.faces,       on_device.edges,    on_device.planes,
+                          on_device.materials,  on_device.lights,      on_device.view,     pixels.device,
+                          on_device.counters,   on_device.tree_floats, on_device.tree_ints};
+    cl_kernel kernel =
+        ok ? opencl_kernel(session, "render", arguments, sizeof arguments / sizeof arguments[0], error) : NULL;
+    ok = kernel && render_bands(session, scene, &on_device, kernel, &pixels, most_rows, sink, report, error);
     if (kernel)
         clReleaseKernel(kernel);
-    free(rgb);
+    if (session->linear)
+        free(pixels.rgb);
+    free(pixels.read);
     return ok;
 }
 
-bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error)
+bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
+                   Error *error)
 {
     memset(report, 0, sizeof *report);
-    OpenclSession session = {0};
+    OpenclSession session = {.linear = settings->linear != NULL};
     bool ok = render_session(&session, scene, settings, sink, report, error);
     opencl_close(&session);
     return ok;

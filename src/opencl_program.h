@@ -13,6 +13,7 @@ typedef struct OpenclSession {
     Precision precision;
     int lanes, tile_columns, tile_rows;
     bool wide_is_double; /* t comes back as double */
+    bool linear;         /* pixels come back as three reals, not clamped, instead of three bytes */
     cl_device_id device;
     cl_context context;
     cl_command_queue queue;

@@ -16,6 +16,7 @@ typedef struct Band {
     const Scene *scene;
     const Accel *accel;
     unsigned char *rgb;
+    double *linear; /* the whole picture's, or NULL */
     int first_row, row_count;
     int next_row; /* guarded by the lock, as is the report */
     pthread_mutex_t lock;
@@ -42,26 +43,31 @@ static void add_counts(Band *band, const RenderReport *counts)
     pthread_mutex_unlock(&band->lock);
 }
 
+static void put_pixel(const Band *band, int column, int row, Vec3 colour)
+{
+    size_t at = ((size_t)row * (size_t)band->scene->screen.columns + (size_t)column) * 3;
+    const double rgb[3] = {colour.x, colour.y, colour.z};
+    for (size_t i = 0; i < 3; i++)
+        band->rgb[at + i] = colour_to_byte(rgb[i]);
+    if (band->linear)
+        memcpy(band->linear + (size_t)band->first_row * (size_t)band->scene->screen.columns * 3 + at, rgb, sizeof rgb);
+}
+
 static void render_rows(void *argument)
 {
     Band *band = argument;
     RenderReport counts = {0};
     Tracer tracer = {.scene = band->scene, .accel = band->accel, .report = &counts};
     int columns = band->scene->screen.columns;
-    for (int row; (row = take_row(band)) >= 0;) {
-        unsigned char *out = band->rgb + (size_t)row * (size_t)columns * 3;
-        for (int column = 0; column < columns; column++, out += 3) {
-            Vec3 colour = reference_pixel(&tracer, column, band->first_row + row);
-            out[0] = colour_to_byte(colour.x);
-            out[1] = colour_to_byte(colour.y);
-            out[2] = colour_to_byte(colour.z);
-        }
-    }
+    for (int row; (row = take_row(band)) >= 0;)
+        for (int column = 0; column < columns; column++)
+            put_pixel(band, column, row, reference_pixel(&tracer, column, band->first_row + row));
     add_counts(band, &counts);
 }
 
 /* Bands from the top, each handed to the sink when its rows are done. */
-static bool render_bands(const Scene *scene, const Accel *accel, BandSink sink, RenderReport *report, Error *error)
+static bool render_bands(const Scene *scene, const Accel *accel, double *linear, BandSink sink, RenderReport *report,
+                         Error *error)
 {
     size_t row_bytes = (size_t)scene->screen.columns * 3;
     unsigned char *rgb = malloc(row_bytes * BAND_ROWS);
@@ -70,7 +76,13 @@ static bool render_bands(const Scene *scene, const Accel *accel, BandSink sink, 
     bool ok = true;
     for (int row = 0; ok && row < scene->screen.rows; row += BAND_ROWS) {
         int rows = scene->screen.rows - row < BAND_ROWS ? scene->screen.rows - row : BAND_ROWS;
-        Band band = {.scene = scene, .accel = accel, .rgb = rgb, .first_row = row, .row_count = rows, .report = report};
+        Band band = {.scene = scene,
+                     .accel = accel,
+                     .rgb = rgb,
+                     .linear = linear,
+                     .first_row = row,
+                     .row_count = rows,
+                     .report = report};
         double start = clock_ms();
         pthread_mutex_init(&band.lock, NULL);
         parallel_run(report->threads, render_rows, &band);
@@ -82,7 +94,8 @@ static bool render_bands(const Scene *scene, const Accel *accel, BandSink sink, 
     return ok;
 }
 
-bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error)
+bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
+                      Error *error)
 {
     memset(report, 0, sizeof *report);
     report->threads = parallel_threads(settings->threads);
@@ -94,7 +107,7 @@ bool reference_render(const Scene *scene, const RenderSettings *settings, BandSi
     bool ok = accel_build(&accel, scene, settings->accel, settings->threads, error);
     report->build_ms = clock_ms() - start;
     report->accel = accel.kind;
-    ok = ok && render_bands(scene, &accel, sink, report, error);
+    ok = ok && render_bands(scene, &accel, settings->linear, sink, report, error);
     accel_free(&accel);
     return ok;
 }

@@ -25,6 +25,7 @@ typedef struct RenderSettings {
     int device;          /* number in the list of `rectray devices`; -1: the default */
     int lanes;           /* rays per work-item: 1, 4, 8 or 16; 0: what suits the device */
     Notice notice;
+    double *linear;      /* rows * columns * 3 colours, which a backend fills before they are clamped; NULL: not wanted */
 } RenderSettings;
 
 typedef struct RayCounts {
