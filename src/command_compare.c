@@ -1,12 +1,17 @@
 /* rectray compare: how far two pictures of the same size differ, in units of the 8-bit values. Peak signal-to-noise
  * ratio: 10 log10(255^2 / mean squared error), the mean taken over all pixels and channels. */
 #include "command.h"
+#include "heat.h"
 #include "image.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* What the colours of a heatmap stand for: heat_of_difference at these values. */
+#define HEAT_SCALE "black 0, violet 1, pink 8, orange 30, cream 100, white 255; by the logarithm between"
 
 typedef struct Difference {
     int max[3];       /* per channel */
@@ -18,6 +23,11 @@ typedef struct Difference {
 static int absolute(int a)
 {
     return a < 0 ? -a : a;
+}
+
+static bool is_stdout(const char *path)
+{
+    return path && strcmp(path, "-") == 0;
 }
 
 static int largest(const Difference *difference)
@@ -74,6 +84,26 @@ static void make_difference_picture(Image *a, const Image *b, int max)
         a->rgb[i] = 0;
 }
 
+static bool write_heatmap(const Image *a, const Image *b, const char *path, Error *error)
+{
+    Image map = {a->columns, a->rows, NULL};
+    size_t bytes = (size_t)a->columns * (size_t)a->rows * 3;
+    map.rgb = malloc(bytes);
+    if (!map.rgb)
+        return error_memory(error, "the heatmap");
+    for (size_t i = 0; i < bytes; i += 3) {
+        int most = 0;
+        for (size_t channel = 0; channel < 3; channel++) {
+            int delta = absolute(a->rgb[i + channel] - b->rgb[i + channel]);
+            most = delta > most ? delta : most;
+        }
+        heat_colour(heat_of_difference(most), map.rgb + i);
+    }
+    bool done = image_write(&map, path, error);
+    image_free(&map);
+    return done;
+}
+
 /* Overwrites picture a with the picture of the differences where that is asked for. */
 static bool compare(Image *a, const Image *b, const Options *options, Error *error)
 {
@@ -83,14 +113,19 @@ static bool compare(Image *a, const Image *b, const Options *options, Error *err
                          a->columns, a->rows, names[1], b->columns, b->rows);
     Difference difference = measure(a, b);
     int max = largest(&difference);
-    bool to_stdout = options->output && strcmp(options->output, "-") == 0;
+    bool to_stdout = is_stdout(options->output) || is_stdout(options->heatmap);
+    if (options->heatmap && !write_heatmap(a, b, options->heatmap, error))
+        return false;
     if (options->output) {
         make_difference_picture(a, b, max);
         if (!image_write(a, options->output, error))
             return false;
     }
-    if (!options->quiet)
+    if (!options->quiet) {
         print_difference(to_stdout ? stderr : stdout, &difference);
+        if (options->heatmap)
+            fputs("heatmap   " HEAT_SCALE "\n", to_stdout ? stderr : stdout);
+    }
     if (max > options->tolerance)
         return error_set(error, ERROR_INPUT, "%s and %s differ by up to %d of 255, %d is tolerated", names[0], names[1],
                          max, options->tolerance);
@@ -99,6 +134,9 @@ static bool compare(Image *a, const Image *b, const Options *options, Error *err
 
 bool command_compare(const Options *options, Error *error)
 {
+    if (options->output && options->heatmap && strcmp(options->output, options->heatmap) == 0)
+        return error_set(error, ERROR_USAGE, "--output and --heatmap are two pictures; both cannot be %s",
+                         options->output);
     Image a = {0}, b = {0};
     bool done = image_read(&a, options->operands[0], error) && image_read(&b, options->operands[1], error) &&
                 compare(&a, &b, options, error);

@@ -53,6 +53,11 @@ static bool set_rays(Options *o, const char *value)
     return set_path(value, &o->rays);
 }
 
+static bool set_heatmap(Options *o, const char *value)
+{
+    return set_path(value, &o->heatmap);
+}
+
 static bool set_backend(Options *o, const char *value)
 {
     static const char *const words[] = {"opencl", "reference", NULL};
@@ -255,6 +260,8 @@ const Option option_table[] = {
     {"geometry", 0, NULL, "check", set_geometry, NULL, "print every face as it is traced, exactly"},
     {"tolerance", 0, "N", "compare", set_tolerance, "a whole number from 0 to 255",
      "accept pictures that differ by up to N of 255 (default 0)"},
+    {"heatmap", 0, "FILE", "compare", set_heatmap, "the name of a file, or - for standard output",
+     "draw where they differ, from black (equal) to white (255)"},
     {"ladder", 0, NULL, "bench", set_ladder, NULL, "measure the scenes that docs/performance.md stands on"},
     {"repeats", 0, "N", "bench", set_repeats, "a whole number from 1 to 99", "pictures to take the median of (default 5)"},
     {"json", 0, NULL, "bench", set_json, NULL, "print one JSON object instead of tables"},

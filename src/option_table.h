@@ -17,6 +17,7 @@ typedef struct Options {
     int operand_count;
     const char *output; /* NULL: not given; "-": stdout */
     const char *rays;   /* NULL or "-": stdin */
+    const char *heatmap; /* NULL: not given; "-": stdout */
     Backend backend;
     RenderSettings settings;
     int columns, rows; /* 0: as the scene says, as is grid */

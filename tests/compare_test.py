@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """`compare` against figures worked out here, on pictures made here."""
 import math
+import re
 import struct
 import unittest
 import zlib
@@ -60,6 +61,28 @@ class Compare(CommandTest):
         out, err = self.run_program("compare", "a.png", "b.png", "-o", "-", "--tolerance", "9")
         self.assertEqual(out, self.bytes_of("diff.png"))
         self.assertIn("rmse", err)
+
+    def test_the_heatmap_is_black_where_they_are_equal_and_brighter_for_more(self):
+        greys = [x for i in (0, 1, 2, 8, 30, 100, 255) for x in (0, i, i // 2)]
+        for name, data in (("black.png", [0] * 21), ("greys.png", greys)):
+            with open(self.path(name), "wb") as file:
+                file.write(png(7, 1, data))
+        out, _ = self.run_program("compare", "black.png", "greys.png", "--heatmap", "heat.png", "--tolerance", "255")
+        self.assertIn("heatmap   black 0, violet 1, ", out.decode())
+        self.run_program("compare", "heat.png", "heat.png")
+        rows = zlib.decompress(re.search(b"IDAT(.*)....IEND", self.bytes_of("heat.png"), re.S)[1][:-4])
+        pixels = [rows[i:i + 3] for i in range(1, 22, 3)]
+        bright = [0.30 * r + 0.59 * g + 0.11 * b for r, g, b in pixels]
+        self.assertEqual((pixels[0], pixels[6]), (b"\0\0\0", b"\xff\xff\xff"))
+        self.assertGreater(bright[1], 50)
+        self.assertEqual(bright, sorted(set(bright)))
+        out, err = self.run_program("compare", "black.png", "greys.png", "--heatmap", "-", "-o", "diff.png", status=1)
+        self.assertEqual(out, self.bytes_of("heat.png"))
+        self.assertIn("heatmap", err)
+
+    def test_the_two_pictures_of_the_differences_have_two_names(self):
+        self.assertIn("both cannot be x.png", self.run_program("compare", "a.png", "b.png", "-o", "x.png", "--heatmap", "x.png", status=2)[1])
+        self.assertIn("both cannot be -", self.run_program("compare", "a.png", "b.png", "-o", "-", "--heatmap", "-", status=2)[1])
 
     def test_pictures_that_cannot_be_compared_are_1(self):
         self.assertIn("2 x 2 pixels", self.run_program("compare", "a.png", "c.png", status=1)[1])
