@@ -171,9 +171,15 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(BUILD)/tests/unity.o $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(LINK) $^ $(LIBS) -o $@
 
+FUZZ_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/fuzz/fuzz_*.c)) $(BUILD)/tests/fuzz/shared.o
+
 # The exact oracle reckons in integers of any size.
 $(BUILD)/tests/test_oracle: $(BUILD)/tests/oracle.o
 $(BUILD)/tests/test_oracle: LIBS += -lgmp
+
+# The fuzzers' targets over the inputs that are kept; they too call the library.
+$(BUILD)/tests/test_fuzz: $(FUZZ_OBJECTS)
+$(BUILD)/tests/test_fuzz: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
 
 # The stress suite: `make test` runs a small part of it, `make stress` all of it.
 STRESS := $(BUILD)/stress
@@ -212,6 +218,25 @@ $(BUILD)/tests/unity.o: $(UNITY_DIR)/unity.c
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
 	$(Q)$(CC) -std=c99 $(CFLAGS) $(INSTRUMENT) $(UNITY_FLAGS) -c $< -o $@
+
+# The fuzzers: each target of tests/fuzz/ in a program of libFuzzer's, which only clang has.
+FUZZERS := $(patsubst tests/fuzz/fuzz_%.c,$(BUILD)/fuzz_%,$(wildcard tests/fuzz/fuzz_*.c))
+SECONDS ?= 60
+TARGET  ?= *
+
+.PHONY: fuzz
+fuzz: ## throw mutated input at the readers for SECONDS each (60; TARGET=scene, obj, mtl or options)
+	@$(SETUP) build clang fuzz
+	@$(MAKE) --no-print-directory --silent fuzzers CC=clang BUILD=build/fuzz CFLAGS="-O1 -g -fno-omit-frame-pointer" \
+	    INSTRUMENT="-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all"
+	@tests/fuzz/run build/fuzz $(SECONDS) "$(TARGET)"
+
+.PHONY: fuzzers
+fuzzers: $(FUZZERS)
+
+$(FUZZERS): $(BUILD)/fuzz_%: tests/fuzz/libfuzzer.c $(FUZZ_OBJECTS) $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(COMPILE) -DTARGET=fuzz_$* -fsanitize=fuzzer $^ $(LDFLAGS) $(LIBS) -o $@
 
 # Fetched, not kept here; a folder that UNITY_DIR names must have it.
 build/unity/unity.c:
@@ -274,7 +299,7 @@ programs: $(PROGRAM) $(UNIT_TESTS) $(STRESS)
 
 .PHONY: format
 format: ## give the C sources the style of .clang-format
-	clang-format -i $(wildcard src/*.[ch] tests/*.[ch] tests/stress/*.[ch])
+	clang-format -i $(wildcard src/*.[ch] tests/*.[ch] tests/stress/*.[ch] tests/fuzz/*.[ch])
 
 .PHONY: lint
 lint: ## look for likely mistakes with clang-tidy (.clang-tidy) and cppcheck
@@ -300,4 +325,4 @@ help: ## this list
 .DELETE_ON_ERROR:
 .SECONDARY:
 
--include $(OBJECTS:.o=.d) $(STRESS_OBJECTS:.o=.d) $(patsubst tests/%.c,$(BUILD)/tests/%.d,$(wildcard tests/test_*.c))
+-include $(OBJECTS:.o=.d) $(STRESS_OBJECTS:.o=.d) $(FUZZ_OBJECTS:.o=.d) $(patsubst tests/%.c,$(BUILD)/tests/%.d,$(wildcard tests/test_*.c))

@@ -5,6 +5,16 @@
 #include <stdio.h>
 #include <string.h>
 
+/* A name in a message must not steer the terminal: control characters (C0 but newline and tab, DEL, C1) become '?'. */
+static void disarm(char *text)
+{
+    for (unsigned char *c = (unsigned char *)text; *c; c++)
+        if ((*c < 0x20 && *c != '\n' && *c != '\t') || *c == 0x7F)
+            *c = '?';
+        else if (c[0] == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0)
+            c[0] = c[1] = '?';
+}
+
 bool error_set(Error *error, ErrorKind kind, const char *format, ...)
 {
     if (error->kind != ERROR_NONE)
@@ -20,6 +30,7 @@ bool error_set(Error *error, ErrorKind kind, const char *format, ...)
             end--;
         strcpy(end, "...");
     }
+    disarm(error->text);
     return false;
 }
 

@@ -1,0 +1,72 @@
+/* Target: the command line. */
+#include "fuzz.h"
+
+#include "options.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_WORDS = 64 };
+
+static const Command COMMANDS[] = {
+    {"render", "SCENE", 1, 1, "", NULL},
+    {"trace", "SCENE", 1, 1, "", NULL},
+    {"cast", "SCENE", 1, 1, "", NULL},
+    {"check", "SCENE", 1, 1, "", NULL},
+    {"compare", "A.png B.png", 2, 2, "", NULL},
+    {"bench", "[SCENE...]", 0, MAX_OPERANDS, "", NULL},
+    {"generate", "KIND", 1, 1, "", NULL},
+    {"devices", "", 0, 0, "", NULL},
+    {0},
+};
+
+static void check_options(const Options *o, const Command *command)
+{
+    REQUIRE(o->columns >= 0 && o->columns <= SCENE_MAX_PIXELS && o->rows >= 0 && o->rows <= SCENE_MAX_PIXELS);
+    REQUIRE((o->columns == 0) == (o->rows == 0));
+    REQUIRE(o->grid >= 0 && o->grid <= SCENE_MAX_GRID);
+    REQUIRE(o->bounces >= -1 && o->bounces <= SCENE_MAX_BOUNCES);
+    REQUIRE(o->tolerance >= 0 && o->tolerance <= 255);
+    REQUIRE(o->settings.threads >= 0 && o->settings.device >= -1 && o->settings.lanes <= 16);
+    REQUIRE(o->settings.accel >= ACCEL_AUTO && o->settings.accel <= ACCEL_BVH);
+    REQUIRE(o->backend == BACKEND_OPENCL || o->backend == BACKEND_REFERENCE);
+    REQUIRE(o->pixel_column >= 0 && o->pixel_column < SCENE_MAX_PIXELS);
+    REQUIRE(o->sample_i >= 0 && o->sample_i < SCENE_MAX_GRID && o->sample_j >= 0 && o->sample_j < SCENE_MAX_GRID);
+    if (o->help || o->version)
+        return;
+    REQUIRE(o->operand_count >= command->operands_min && o->operand_count <= command->operands_max);
+    for (int i = 0; i < o->operand_count; i++)
+        REQUIRE(o->operands[i]);
+}
+
+int fuzz_options(const uint8_t *data, size_t size)
+{
+    static Error error;
+    char *text = malloc(size + 1), *argv[MAX_WORDS + 1];
+    REQUIRE(text);
+    memcpy(text, data, size);
+    text[size] = '\0';
+    int argc = 0;
+    for (char *word = text; word && argc < MAX_WORDS;) {
+        char *end = strchr(word, '\n');
+        argv[argc++] = word;
+        if (end)
+            *end++ = '\0';
+        word = end;
+    }
+    argv[argc] = NULL;
+
+    Options options;
+    error.kind = ERROR_NONE;
+    error.text[0] = '\0';
+    const Command *command = command_find(COMMANDS, argv[0], &error);
+    if (command && options_parse(&options, command, argc, argv, &error)) {
+        REQUIRE(error.kind == ERROR_NONE);
+        check_options(&options, command);
+    } else {
+        REQUIRE(error.kind == ERROR_USAGE);
+        fuzz_check_error(&error);
+    }
+    free(text);
+    return 0;
+}
