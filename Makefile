@@ -173,9 +173,10 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(BUILD)/tests/unity.o $(LIBRARY)
 
 FUZZ_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/fuzz/fuzz_*.c)) $(BUILD)/tests/fuzz/shared.o
 
-# The exact oracle reckons in integers of any size.
+# The exact oracle reckons in integers of any size, exact coverage in rationals.
 $(BUILD)/tests/test_oracle: $(BUILD)/tests/oracle.o
-$(BUILD)/tests/test_oracle: LIBS += -lgmp
+$(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(BUILD)/tests/coverage.o $(BUILD)/tests/polygon.o
+$(BUILD)/tests/test_oracle $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: LIBS += -lgmp
 
 # The fuzzers' targets over the inputs that are kept; they too call the library.
 $(BUILD)/tests/test_fuzz: $(FUZZ_OBJECTS)

@@ -1,0 +1,83 @@
+/* How fast the error falls with the rays that are spent, on edges, against exact coverage. */
+#include "coverage.h"
+#include "reference.h"
+
+#include "support.h"
+
+enum { COLUMNS = 40, ROWS = 30, PIXELS = COLUMNS * ROWS };
+
+static SmallScene small;
+static RenderReport report;
+static double truth[PIXELS];
+
+/* White triangles that fan out from the middle, each edge at another angle, on black. */
+static void fan(int triangles)
+{
+    small_scene_begin(&small);
+    small.scene.screen.columns = COLUMNS;
+    small.scene.screen.rows = ROWS;
+    small.scene.shading.shadow = SHADOW_AMBIENT;
+    small_scene_light(&small, vec3(0, 0, 9));
+    int white = small_scene_material(&small, (Material){.ambient = {1, 1, 1}});
+    for (int i = 0; i < triangles; i++) {
+        double turn = 2 * 3.14159265358979 / triangles, angle = (i + 0.123) * turn;
+        Vec3 tip = vec3(0.0137, -0.0211, 0);
+        Vec3 a = vec3(2 * cos(angle), 2 * sin(angle), 0),
+             b = vec3(2 * cos(angle + 0.47 * turn), 2 * sin(angle + 0.47 * turn), 0);
+        small_scene_face(&small, white, face_triangle(tip, a, b));
+    }
+    for (int i = 0; i < PIXELS; i++)
+        truth[i] = 1 - coverage_of_pixel(&small.scene, i % COLUMNS, i / COLUMNS).background;
+}
+
+static double rmse_of_grid(int n)
+{
+    double sum = 0;
+    small.scene.grid = n;
+    for (int i = 0; i < PIXELS; i++) {
+        double error =
+            reference_pixel(&(Tracer){&small.scene, NULL, &report, NULL}, i % COLUMNS, i / COLUMNS).x - truth[i];
+        sum += error * error;
+    }
+    return sqrt(sum / PIXELS);
+}
+
+void setUp(void) {}
+void tearDown(void) {}
+/* The slope of the straight line that is nearest to the points in the sense of least squares. */
+static double slope(const double *x, const double *y, int count)
+{
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (int i = 0; i < count; i++) {
+        sx += x[i];
+        sy += y[i];
+        sxx += x[i] * x[i];
+        sxy += x[i] * y[i];
+    }
+    return (count * sxy - sx * sy) / (count * sxx - sx * sx);
+}
+
+/* Rays fall on the sides of an edge as if by chance only where it enters and leaves a cell: of n rays about sqrt(n) cells are
+ * in doubt, by half a ray each, and their errors have either sign. So the sum is off by some n^(1/4) rays of n. */
+static void error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarters(void)
+{
+    const int grids[] = {1, 2, 3, 4, 6, 8, 12, 16};
+    enum { GRIDS = sizeof grids / sizeof grids[0] };
+    double log_rays[GRIDS], log_error[GRIDS];
+    fan(33);
+    for (int i = 0; i < GRIDS; i++) {
+        log_rays[i] = 2 * log(grids[i]);
+        log_error[i] = log(rmse_of_grid(grids[i]));
+        TEST_ASSERT_TRUE_MESSAGE(i == 0 || log_error[i] < log_error[i - 1], "a finer grid has a larger error");
+    }
+    double power = -slope(log_rays, log_error, GRIDS);
+    printf("the error falls as the rays to the power of -%.3f\n", power);
+    TEST_ASSERT_TRUE(power >= 0.75);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarters);
+    return UNITY_END();
+}
