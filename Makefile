@@ -155,7 +155,8 @@ SCRIPT_TESTS := $(wildcard tests/$(suite)_test.py tests/$(suite)_test.sh)
 .PHONY: test
 test: ## run all tests, or one suite: make test suite=NAME
 	@$(SETUP) build run test
-	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS) $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS))
+	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS) \
+	    $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS)) $(if $(filter %/faults_test.py,$(SCRIPT_TESTS)),$(FAULTS))
 	@RECTRAY=$(abspath $(PROGRAM)) RERUN="$(RERUN)" tests/run $(UNIT_TESTS) $(SCRIPT_TESTS)
 
 .PHONY: golden
@@ -181,6 +182,13 @@ $(BUILD)/tests/test_oracle $(BUILD)/tests/test_truth $(BUILD)/tests/test_converg
 # The fuzzers' targets over the inputs that are kept; they too call the library.
 $(BUILD)/tests/test_fuzz: $(FUZZ_OBJECTS)
 $(BUILD)/tests/test_fuzz: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
+
+# What fails on command under the program: memory, OpenCL. No part of it is instrumented.
+FAULTS := $(BUILD)/faults/memory.so $(BUILD)/faults/opencl.so
+$(BUILD)/faults/%.so: tests/faults/%.c
+	@mkdir -p $(@D)
+	$(call say,compile,$<)
+	$(Q)$(CC) -std=gnu11 $(WARNINGS) $(WERROR) -O1 -g -shared -fPIC $< -ldl -o $@
 
 # The stress suite: `make test` runs a small part of it, `make stress` all of it.
 STRESS := $(BUILD)/stress
@@ -296,7 +304,7 @@ clang: ## build the program and its tests with clang, warnings being errors
 	@$(MAKE) --no-print-directory programs CC=clang BUILD=build/clang
 
 .PHONY: programs
-programs: $(PROGRAM) $(UNIT_TESTS) $(STRESS)
+programs: $(PROGRAM) $(UNIT_TESTS) $(STRESS) $(FAULTS)
 
 .PHONY: format
 format: ## give the C sources the style of .clang-format

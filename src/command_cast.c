@@ -226,7 +226,7 @@ static bool open_rays(Caster *caster, Error *error)
     caster->lines = (TextLines){.path = from_stdin ? "standard input" : path};
     caster->lines.file = from_stdin ? stdin : fopen(path, "rb");
     if (!caster->lines.file)
-        return error_set(error, ERROR_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
+        return text_fail_errno(path, "cannot be opened", error);
     caster->lines.buffer = malloc(TEXT_LINE_MAX + 2);
     caster->world = malloc(6 * sizeof *caster->world * BATCH);
     caster->local = malloc(6 * sizeof *caster->local * BATCH);

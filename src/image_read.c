@@ -2,7 +2,8 @@
  * lives in a Reader that the caller of setjmp only points to, so that no changed local variable is read after it. */
 #include "image.h"
 
-#include <errno.h>
+#include "text.h"
+
 #include <png.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -15,12 +16,15 @@ typedef struct Reader {
     png_structp png;
     png_infop info;
     png_bytep *rows;
+    bool no_memory; /* libpng asked for some and got none; its complaint does not tell that from a damaged picture */
     Error *error;
 } Reader;
 
 static void on_error(png_structp png, png_const_charp message)
 {
     Reader *reader = png_get_error_ptr(png);
+    if (reader->no_memory)
+        error_memory(reader->error, reader->path);
     error_set(reader->error, ERROR_INPUT, "%s: damaged PNG: %s", reader->path, message);
     png_longjmp(png, 1);
 }
@@ -31,13 +35,27 @@ static void on_warning(png_structp png, png_const_charp message)
     (void)message;
 }
 
+static png_voidp on_malloc(png_structp png, png_alloc_size_t size)
+{
+    Reader *reader = png_get_mem_ptr(png);
+    png_voidp block = malloc(size);
+    reader->no_memory = reader->no_memory || !block;
+    return block;
+}
+
+static void on_free(png_structp png, png_voidp block)
+{
+    (void)png;
+    free(block);
+}
+
 static void on_data(png_structp png, png_bytep data, size_t size)
 {
     Reader *reader = png_get_io_ptr(png);
     if (fread(data, 1, size, reader->file) == size)
         return;
     if (ferror(reader->file))
-        error_set(reader->error, ERROR_SYSTEM, "cannot read %s: %s", reader->path, strerror(errno));
+        text_fail_errno(reader->path, "cannot be read", reader->error);
     png_error(png, "it ends too early");
 }
 
@@ -46,13 +64,12 @@ static bool reader_open(Reader *reader)
     unsigned char signature[8] = {0};
     reader->file = fopen(reader->path, "rb");
     if (!reader->file)
-        return error_set(reader->error, ERROR_INPUT, "%s: cannot be read: %s", reader->path, strerror(errno));
-    errno = 0;
+        return text_fail_errno(reader->path, "cannot be read", reader->error);
     if (fread(signature, 1, sizeof signature, reader->file) != sizeof signature && ferror(reader->file))
-        return error_set(reader->error, ERROR_INPUT, "%s: cannot be read: %s", reader->path, strerror(errno));
+        return text_fail_errno(reader->path, "cannot be read", reader->error);
     if (png_sig_cmp(signature, 0, sizeof signature) != 0)
         return error_set(reader->error, ERROR_INPUT, "%s: not a PNG picture", reader->path);
-    reader->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, reader, on_error, on_warning);
+    reader->png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, reader, on_error, on_warning, reader, on_malloc, on_free);
     if (reader->png)
         reader->info = png_create_info_struct(reader->png);
     return reader->info ? true : error_memory(reader->error, "the reader of a picture");

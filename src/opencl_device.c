@@ -95,6 +95,7 @@ typedef struct DeviceList {
     DeviceInfo *infos;
     cl_device_id *ids;
     int count;
+    cl_int failed; /* the status of a platform that could not tell its devices; the others serve all the same */
 } DeviceList;
 
 static void list_free(DeviceList *list)
@@ -106,15 +107,17 @@ static void list_free(DeviceList *list)
 
 static bool list_add_platform(DeviceList *list, cl_platform_id platform, Error *error)
 {
-    char name[128] = "unknown";
-    clGetPlatformInfo(platform, CL_PLATFORM_NAME, sizeof name - 1, name, NULL);
-    cl_uint found = 0;
-    cl_int status = clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 0, NULL, &found);
-    if (status == CL_DEVICE_NOT_FOUND || found == 0)
+    enum { MAX_DEVICES = 64 };
+    cl_device_id found[MAX_DEVICES];
+    cl_uint count = 0;
+    cl_int status = clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, MAX_DEVICES, found, &count);
+    if (status != CL_SUCCESS && status != CL_DEVICE_NOT_FOUND)
+        list->failed = status;
+    if (status != CL_SUCCESS || count == 0)
         return true;
-    if (!opencl_ok(error, status, "clGetDeviceIDs"))
-        return false;
-    size_t total = (size_t)list->count + found;
+    if (count > MAX_DEVICES)
+        count = MAX_DEVICES;
+    size_t total = (size_t)list->count + count;
     DeviceInfo *infos = realloc(list->infos, total * sizeof *infos);
     if (infos)
         list->infos = infos;
@@ -123,10 +126,12 @@ static bool list_add_platform(DeviceList *list, cl_platform_id platform, Error *
         list->ids = ids;
     if (!infos || !ids)
         return error_memory(error, "the list of devices");
-    if (!opencl_ok(error, clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, found, ids + list->count, NULL), "clGetDeviceIDs"))
-        return false;
-    for (; (size_t)list->count < total; list->count++)
-        infos[list->count] = describe(ids[list->count], name, list->count);
+    char name[128] = "unknown";
+    clGetPlatformInfo(platform, CL_PLATFORM_NAME, sizeof name - 1, name, NULL);
+    for (cl_uint i = 0; i < count; i++, list->count++) {
+        ids[list->count] = found[i];
+        infos[list->count] = describe(found[i], name, list->count);
+    }
     return true;
 }
 
@@ -145,11 +150,12 @@ static bool list_devices(DeviceList *list, Error *error)
     for (cl_uint i = 0; i < count; i++)
         if (!list_add_platform(list, platforms[i], error))
             return false;
-    if (list->count == 0)
-        return error_set(error, ERROR_SYSTEM,
-                         "OpenCL is installed but offers no device; install one (Debian: pocl-opencl-icd), "
-                         "or use --backend reference");
-    return true;
+    if (list->count > 0)
+        return true;
+    return opencl_ok(error, list->failed, "clGetDeviceIDs") &&
+           error_set(error, ERROR_SYSTEM,
+                     "OpenCL is installed but offers no device; install one (Debian: pocl-opencl-icd), "
+                     "or use --backend reference");
 }
 
 bool opencl_devices(DeviceInfo **devices, int *count, Error *error)

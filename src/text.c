@@ -9,8 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A wrong path is the user's mistake; a failing disk or a full table of files is the system's. */
-static bool fail_errno(const char *path, const char *what, Error *error)
+bool text_fail_errno(const char *path, const char *what, Error *error)
 {
     bool user = errno == ENOENT || errno == EACCES || errno == EISDIR || errno == ENOTDIR || errno == ELOOP ||
                 errno == ENAMETOOLONG;
@@ -22,19 +21,19 @@ static FILE *open_regular(const char *path, long *size, Error *error)
 {
     int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (descriptor < 0) {
-        fail_errno(path, "cannot be opened", error);
+        text_fail_errno(path, "cannot be opened", error);
         return NULL;
     }
     struct stat status;
     FILE *file = NULL;
     if (fstat(descriptor, &status) != 0)
-        fail_errno(path, "cannot be opened", error);
+        text_fail_errno(path, "cannot be opened", error);
     else if (S_ISDIR(status.st_mode))
         error_set(error, ERROR_INPUT, "%s: is a folder, not a file", path);
     else if (!S_ISREG(status.st_mode))
         error_set(error, ERROR_INPUT, "%s: is not a regular file", path);
     else if (!(file = fdopen(descriptor, "rb")))
-        fail_errno(path, "cannot be opened", error);
+        text_fail_errno(path, "cannot be opened", error);
     if (!file)
         close(descriptor);
     *size = (long)status.st_size;
@@ -56,7 +55,7 @@ char *text_read(const char *path, long limit, long *length, Error *error)
         *length = (long)fread(text, 1, (size_t)size, file);
         text[*length] = '\0';
         if (ferror(file)) {
-            fail_errno(path, "cannot be read", error);
+            text_fail_errno(path, "cannot be read", error);
             free(text);
             text = NULL;
         }
@@ -93,7 +92,7 @@ static bool refill(TextLines *lines, Error *error)
     lines->begin = 0;
     lines->end += fread(lines->buffer + lines->end, 1, TEXT_LINE_MAX + 1 - lines->end, lines->file);
     if (ferror(lines->file))
-        return fail_errno(lines->path, "cannot be read", error);
+        return text_fail_errno(lines->path, "cannot be read", error);
     return true;
 }
 

@@ -8,6 +8,10 @@
 #include <stddef.h>
 #include <stdio.h>
 
+/* "PATH: WHAT: reason of errno", and false. A wrong path is the user's mistake (ERROR_INPUT); a failing disk, no memory or a
+ * full table of files is the system's. */
+bool text_fail_errno(const char *path, const char *what, Error *error);
+
 enum { TEXT_LINE_MAX = 65535 }; /* the longest line that text_next_line reads, in bytes */
 
 /* Reads a regular file of up to `limit` bytes. The text ends in a NUL that *length does not count; the caller frees it.

@@ -8,6 +8,9 @@ import unittest
 
 PROGRAM = os.path.abspath(os.environ.get("RECTRAY", "build/rectray"))
 
+# Whether there are hours, not minutes: `make soak` sets it.
+SOAK = os.environ.get("RECTRAY_SOAK") == "1"
+
 # A unit square at z = 0 that faces a camera at z = 1, a light over it, a one-sided triangle 2 behind it; all moved
 # by 1000 in x.
 SCENE = {
