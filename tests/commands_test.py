@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import struct
 import subprocess
 import unittest
@@ -110,6 +111,30 @@ class Kernels(CommandTest):
 
     def test_no_folder_is_named_by_an_empty_name(self):
         self.run_program("render", "scene.json", env=dict(os.environ, RECTRAY_KERNELS=""))
+
+    def test_one_that_does_not_compile_is_3_and_its_file_and_line_are_told(self):
+        shutil.copytree("kernels", self.path("kernels"))
+        with open(self.path("kernels/shade.cl"), "r+", encoding="utf-8") as file:
+            lines = file.read().splitlines()
+            file.write("\nthis is no kernel;\n")
+        for words in (["render", "scene.json", "-o", "a.png"], ["cast", "scene.json"]):
+            _, err = self.run_program(*words, text_in="0 0 0 1 1 1\n", status=3,
+                                      env=dict(os.environ, RECTRAY_KERNELS=self.path("kernels")))
+            self.assertRegex(err, r"(?m)^rectray: the kernels do not compile for \S.*; the compiler says:$")
+            self.assertIn(f"shade.cl:{len(lines) + 2}:", err)
+        self.assertEqual(self.files(), ["kernels"])
+
+    def test_they_are_kept_where_that_is_possible_and_made_anew_elsewhere(self):
+        self.put("file", "not a folder")
+        homeless = {key: value for key, value in os.environ.items()
+                    if key not in ("HOME", "XDG_CACHE_HOME", "RECTRAY_CACHE_DIR")}
+        homeless.setdefault("POCL_CACHE_DIR", os.path.expanduser("~/.cache/pocl/kcache")) # the driver's own, already filled
+        for environment in (homeless, dict(homeless, HOME=self.path("file")), dict(homeless, XDG_CACHE_HOME="/proc"),
+                            dict(homeless, RECTRAY_CACHE_DIR=self.path("file")),
+                            dict(homeless, RECTRAY_CACHE_DIR="/proc/rectray")):
+            _, err = self.run_program("render", "scene.json", "-o", "a.png", "--progress", "always", env=environment)
+            self.assertIn("compiling the kernels", err)
+            self.assertEqual(self.files(), ["a.png", "file"])
 
 
 class Generate(CommandTest):

@@ -8,8 +8,9 @@ import stat
 import subprocess
 import time
 import unittest
+from random import Random
 
-from program import CommandTest
+from program import PROGRAM, SOAK, CommandTest
 
 
 class Output(CommandTest):
@@ -121,6 +122,56 @@ class Interrupt(CommandTest):
         process.communicate(timeout=60)
         self.assertEqual(process.returncode, 0)
         self.assertEqual(self.files(), ["a.png"])
+
+
+class Killed(CommandTest):
+    TIMES = 200 if SOAK else 12
+
+    def check_kills(self, *words):
+        """Kills renderings at random times: what has the picture's name is the old picture whole, or the new one."""
+        words = ["render", "scene.json", "-q", "-o", "a.png", *words]
+        start = time.monotonic()
+        self.run_program(*words)
+        duration = time.monotonic() - start
+        whole = self.bytes_of("a.png")
+        random = Random(1)
+        seen = set()
+        for _ in range(self.TIMES):
+            self.put("a.png", "old")
+            process = self.start(*words)
+            time.sleep(random.uniform(0, 1.1 * duration))
+            process.kill()
+            process.communicate()
+            self.assertIn(self.bytes_of("a.png"), (b"old", whole))
+            seen.add(self.bytes_of("a.png"))
+            for name in self.files(): # a killed program cannot remove what it was writing
+                self.assertRegex(name, r"\A(a\.png|\.rectray-\d+-\d+\.part)\Z")
+                os.remove(self.path(name))
+        self.assertGreaterEqual(len(seen), 2 if SOAK else 1)
+
+    def test_the_old_picture_is_whole_or_the_new_one(self):
+        self.check_kills("-b", "reference", "--size", "300x300", "--threads", "1")
+
+    def test_the_same_with_opencl(self):
+        self.check_kills("--size", "2000x2000")
+
+
+class TinyFileSystem(CommandTest):
+    """A file system of 16 KiB, where a user may mount one in a name space of his own."""
+    INSIDE = """mount -t tmpfs -o size=16k tmpfs "$1" && cd "$1" && echo old > a.png || exit 77
+                "$2" render "$3" -q --size 400x400 -b "$4" -o a.png; echo $?
+                "$2" trace "$3" --pixel 4,3 --verbose --format svg -o b.svg; echo $?
+                ls -A; cat a.png"""
+
+    def test_a_full_one_keeps_the_old_picture_and_gets_no_other(self):
+        for backend in ("reference", "opencl"):
+            os.mkdir(self.path(backend))
+            process = subprocess.run(["unshare", "-rm", "sh", "-c", self.INSIDE, "sh", self.path(backend), PROGRAM,
+                                      os.path.abspath("scenes/gallery.json"), backend], capture_output=True, text=True)
+            if process.returncode in (1, 77):
+                self.skipTest("mounting is not allowed here")
+            self.assertEqual(process.stdout, "3\n3\na.png\nold\n", process.stderr)
+            self.assertEqual(process.stderr.count("No space left on device"), 2)
 
 
 class Progress(CommandTest):
