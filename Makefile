@@ -183,12 +183,12 @@ $(BUILD)/tests/test_oracle $(BUILD)/tests/test_truth $(BUILD)/tests/test_converg
 $(BUILD)/tests/test_fuzz: $(FUZZ_OBJECTS)
 $(BUILD)/tests/test_fuzz: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
 
-# What fails on command under the program: memory, OpenCL. No part of it is instrumented.
+# What fails on command under the program: memory, OpenCL. A sanitizer looks through it for the caller.
 FAULTS := $(BUILD)/faults/memory.so $(BUILD)/faults/opencl.so
 $(BUILD)/faults/%.so: tests/faults/%.c
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
-	$(Q)$(CC) -std=gnu11 $(WARNINGS) $(WERROR) -O1 -g -shared -fPIC $< -ldl -o $@
+	$(Q)$(CC) -std=gnu11 $(WARNINGS) $(WERROR) -O1 -g -fno-omit-frame-pointer -shared -fPIC $< -ldl -o $@
 
 # The stress suite: `make test` runs a small part of it, `make stress` all of it.
 STRESS := $(BUILD)/stress
