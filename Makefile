@@ -156,7 +156,8 @@ SCRIPT_TESTS := $(wildcard tests/$(suite)_test.py tests/$(suite)_test.sh)
 test: ## run all tests, or one suite: make test suite=NAME
 	@$(SETUP) build run test
 	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS) \
-	    $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS)) $(if $(filter %/faults_test.py,$(SCRIPT_TESTS)),$(FAULTS))
+	    $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS)) $(if $(filter %/faults_test.py,$(SCRIPT_TESTS)),$(FAULTS)) \
+	    $(if $(filter %/random_scenes_test.sh,$(SCRIPT_TESTS)),$(RANDOM_COMPARE))
 	@RECTRAY=$(abspath $(PROGRAM)) RERUN="$(RERUN)" tests/run $(UNIT_TESTS) $(SCRIPT_TESTS)
 
 .PHONY: golden
@@ -178,6 +179,9 @@ FUZZ_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/fuzz/fu
 $(BUILD)/tests/test_oracle: $(BUILD)/tests/oracle.o
 $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(BUILD)/tests/coverage.o $(BUILD)/tests/polygon.o
 $(BUILD)/tests/test_oracle $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: LIBS += -lgmp
+
+$(BUILD)/tests/test_backends: $(BUILD)/tests/near_edge.o
+$(BUILD)/tests/test_backends: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
 
 # The fuzzers' targets over the inputs that are kept; they too call the library.
 $(BUILD)/tests/test_fuzz: $(FUZZ_OBJECTS)
@@ -227,6 +231,23 @@ $(BUILD)/tests/unity.o: $(UNITY_DIR)/unity.c
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
 	$(Q)$(CC) -std=c99 $(CFLAGS) $(INSTRUMENT) $(UNITY_FLAGS) -c $< -o $@
+
+# Random scenes on both backends: `make test` renders some, `make random-scenes` as many as you like.
+RANDOM_COMPARE := $(BUILD)/compare_scenes
+RANDOM_OBJECTS := $(BUILD)/tests/random/compare.o $(BUILD)/tests/near_edge.o
+COUNT ?= 1000
+
+.PHONY: random-scenes
+random-scenes: ## render random scenes on both backends and compare (COUNT=1000 SEED=1); failing ones stay in build/
+	@$(SETUP) build run test
+	@$(MAKE) --no-print-directory --silent $(RANDOM_COMPARE)
+	@python3 tests/random/run.py $(RANDOM_COMPARE) $(BUILD)/random-scenes $(COUNT) $(SEED)
+
+$(RANDOM_OBJECTS): CPPFLAGS += -Itests
+
+$(RANDOM_COMPARE): $(RANDOM_OBJECTS) $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(LINK) $^ $(LIBS) -o $@
 
 # The fuzzers: each target of tests/fuzz/ in a program of libFuzzer's, which only clang has.
 FUZZERS := $(patsubst tests/fuzz/fuzz_%.c,$(BUILD)/fuzz_%,$(wildcard tests/fuzz/fuzz_*.c))
@@ -304,11 +325,11 @@ clang: ## build the program and its tests with clang, warnings being errors
 	@$(MAKE) --no-print-directory programs CC=clang BUILD=build/clang
 
 .PHONY: programs
-programs: $(PROGRAM) $(UNIT_TESTS) $(STRESS) $(FAULTS)
+programs: $(PROGRAM) $(UNIT_TESTS) $(STRESS) $(FAULTS) $(RANDOM_COMPARE)
 
 .PHONY: format
 format: ## give the C sources the style of .clang-format
-	clang-format -i $(wildcard src/*.[ch] tests/*.[ch] tests/stress/*.[ch] tests/fuzz/*.[ch])
+	clang-format -i $(wildcard src/*.[ch] tests/*.[ch] tests/stress/*.[ch] tests/fuzz/*.[ch] tests/random/*.[ch])
 
 .PHONY: lint
 lint: ## look for likely mistakes with clang-tidy (.clang-tidy) and cppcheck
@@ -334,4 +355,4 @@ help: ## this list
 .DELETE_ON_ERROR:
 .SECONDARY:
 
--include $(OBJECTS:.o=.d) $(STRESS_OBJECTS:.o=.d) $(FUZZ_OBJECTS:.o=.d) $(patsubst tests/%.c,$(BUILD)/tests/%.d,$(wildcard tests/test_*.c))
+-include $(OBJECTS:.o=.d) $(STRESS_OBJECTS:.o=.d) $(FUZZ_OBJECTS:.o=.d) $(RANDOM_OBJECTS:.o=.d) $(patsubst tests/%.c,$(BUILD)/tests/%.d,$(wildcard tests/test_*.c))

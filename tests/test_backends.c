@@ -3,10 +3,10 @@
  * in one pixel of a picture too small for that share to allow any, and only where the 3 x 3 pixels around show an edge: of
  * a face, of a shadow, or of either in a mirror. A new scene file is tested without a word here. */
 #include "opencl.h"
-#include "reference.h"
 #include "reference_render.h"
 #include "scene_json.h"
 
+#include "near_edge.h"
 #include "support.h"
 
 #include <glob.h>
@@ -99,46 +99,6 @@ static int pixel_difference(const Picture *a, const Picture *b, int pixel)
     for (int i = 3 * pixel; i < 3 * pixel + 3; i++)
         most = abs(a->rgb[i] - b->rgb[i]) > most ? abs(a->rgb[i] - b->rgb[i]) : most;
     return most;
-}
-
-/* --- Edges --- */
-
-/* What decides the colour of a sample but for smooth shading: its faces, the lights that reach them, its end. */
-static void hash_event(void *user, const Event *event)
-{
-    uint64_t *hash = user;
-    int64_t value;
-    if (event->kind == EVENT_HIT)
-        value = event->as.hit.face;
-    else if (event->kind == EVENT_LIGHT_END)
-        value = -1 - (event->as.light_end.verdict == LIGHT_REACHES);
-    else if (event->kind == EVENT_PATH_END)
-        value = -10 - (int64_t)event->as.path_end.reason;
-    else
-        return;
-    *hash = (*hash ^ (uint64_t)value) * 0x100000001b3u; /* FNV-1a */
-}
-
-/* Do the 3 x 3 pixels around this one, in samples of 1/8 of a pixel, show more than one kind of path? */
-static bool is_near_edge(const Scene *scene, int column, int row)
-{
-    enum { FINE = 8 };
-    Scene fine = *scene;
-    fine.grid = FINE;
-    RenderReport unused = {0};
-    uint64_t first = 0;
-    for (int k = 0; k < 9 * FINE * FINE; k++) {
-        int c = column + k % 3 - 1, r = row + k / 3 % 3 - 1;
-        if (c < 0 || c >= scene->screen.columns || r < 0 || r >= scene->screen.rows)
-            continue;
-        uint64_t hash = 0xcbf29ce484222325u;
-        reference_sample(&(Tracer){&fine, NULL, &unused, &(Recorder){hash_event, &hash}}, c, r, k / 9 % FINE,
-                         k / 9 / FINE);
-        if (first != 0 && hash != first)
-            return true;
-        first = hash;
-    }
-    return false;
 }
 
 /* --- The two comparisons --- */

@@ -1,0 +1,169 @@
+/* Renders scenes on both backends and compares. From stdin it reads lines "PATH LANES ACCEL" (lanes as --lanes takes them,
+ * or 0; accel none, bvh or kdtree), and answers each with one line:
+ *     equal PIXELS OFF                            the double kernel gives the reference's picture and counts of rays;
+ *                                                 OFF pixels of the float kernel's are off by more than 1/255
+ *     double COLUMN ROW DIFFERENCE                the first pixel where the double kernel's picture differs
+ *     rays WHAT EXPECTED FOUND                    the pictures are equal, a count of rays is not
+ *     float PIXELS OFF AWAY COLUMN ROW DIFFERENCE too many pixels are off in float: how many, how many of them are away
+ *                                                 from any edge, and the worst (of those, where there are any)
+ *     failed MESSAGE                              the scene does not load, or a backend fails
+ * All in one process, for starting a device's driver takes longer than a small picture. */
+#include "near_edge.h"
+#include "opencl.h"
+#include "reference_render.h"
+#include "scene_json.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SMALL_PICTURE = 10000 }; /* pixels; below, 0.01 % is less than one */
+
+typedef struct Picture {
+    int columns, rows;
+    unsigned char *rgb;
+    RenderReport report;
+} Picture;
+
+static bool take_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
+                      Error *error)
+{
+    (void)so_far;
+    (void)error;
+    Picture *picture = user;
+    size_t row_bytes = (size_t)picture->columns * 3;
+    memcpy(picture->rgb + (size_t)first_row * row_bytes, rgb, (size_t)rows * row_bytes);
+    return true;
+}
+
+static bool render(const Scene *scene, Backend backend, RenderSettings settings, Picture *picture, Error *error)
+{
+    picture->columns = scene->screen.columns;
+    picture->rows = scene->screen.rows;
+    picture->rgb = calloc((size_t)picture->columns * (size_t)picture->rows, 3);
+    if (!picture->rgb)
+        return error_memory(error, "a picture");
+    BandSink sink = {take_band, picture};
+    settings.device = -1;
+    return backend == BACKEND_OPENCL ? opencl_render(scene, &settings, sink, &picture->report, error)
+                                     : reference_render(scene, &settings, sink, &picture->report, error);
+}
+
+/* The largest difference of a pixel's three channels, in steps of 1/255. */
+static int pixel_difference(const Picture *a, const Picture *b, int pixel)
+{
+    int most = 0;
+    for (int i = 3 * pixel; i < 3 * pixel + 3; i++)
+        most = abs(a->rgb[i] - b->rgb[i]) > most ? abs(a->rgb[i] - b->rgb[i]) : most;
+    return most;
+}
+
+/* The pixels that are off by more than `allowed`, and the first of the worst ones. */
+typedef struct Off {
+    int count, worst, difference;
+} Off;
+
+static void off_add(Off *off, int pixel, int difference)
+{
+    off->count++;
+    if (difference > off->difference) {
+        off->difference = difference;
+        off->worst = pixel;
+    }
+}
+
+static Off compare_pictures(const Picture *expected, const Picture *picture, int allowed)
+{
+    Off off = {0};
+    for (int i = 0; i < expected->columns * expected->rows; i++)
+        if (pixel_difference(expected, picture, i) > allowed)
+            off_add(&off, i, pixel_difference(expected, picture, i));
+    return off;
+}
+
+/* Those among them where no edge is near. */
+static Off away_from_edges(const Scene *scene, const Picture *expected, const Picture *picture, int allowed)
+{
+    Off off = {0};
+    for (int i = 0; i < expected->columns * expected->rows; i++)
+        if (pixel_difference(expected, picture, i) > allowed &&
+            !is_near_edge(scene, i % expected->columns, i / expected->columns))
+            off_add(&off, i, pixel_difference(expected, picture, i));
+    return off;
+}
+
+static bool same_counts(const RenderReport *expected, const RenderReport *found)
+{
+    const struct {
+        const char *what;
+        uint64_t expected, found;
+    } counts[] = {
+        {"primary", expected->rays.primary, found->rays.primary},
+        {"shadow", expected->rays.shadow, found->rays.shadow},
+        {"reflection", expected->rays.reflection, found->rays.reflection},
+        {"light-behind", expected->skipped_light_behind, found->skipped_light_behind},
+    };
+    for (int i = 0; i < 4; i++)
+        if (counts[i].expected != counts[i].found) {
+            printf("rays %s %" PRIu64 " %" PRIu64 "\n", counts[i].what, counts[i].expected, counts[i].found);
+            return false;
+        }
+    return true;
+}
+
+static void judge(const Scene *scene, const Picture *expected, const Picture *in_double, const Picture *in_float)
+{
+    int columns = expected->columns, pixels = columns * expected->rows;
+    Off off = compare_pictures(expected, in_double, 0);
+    if (off.count > 0)
+        printf("double %d %d %d\n", off.worst % columns, off.worst / columns, off.difference);
+    if (off.count > 0 || !same_counts(&expected->report, &in_double->report))
+        return;
+    off = compare_pictures(expected, in_float, 1);
+    Off away = away_from_edges(scene, expected, in_float, 1);
+    const Off *told = away.count > 0 ? &away : &off;
+    if (away.count > 0 || off.count > (pixels < SMALL_PICTURE ? 1 : pixels / SMALL_PICTURE))
+        printf("float %d %d %d %d %d %d\n", pixels, off.count, away.count, told->worst % columns, told->worst / columns,
+               told->difference);
+    else
+        printf("equal %d %d\n", pixels, off.count);
+}
+
+static bool compare(const char *path, RenderSettings settings, Error *error)
+{
+    Scene scene;
+    Picture expected = {0}, in_double = {0}, in_float = {0};
+    bool ok = scene_load(&scene, path, error) &&
+              render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_NONE, .threads = 1}, &expected, error);
+    settings.precision = PRECISION_DOUBLE;
+    ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_double, error);
+    settings.precision = PRECISION_FLOAT;
+    ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_float, error);
+    if (ok)
+        judge(&scene, &expected, &in_double, &in_float);
+    free(expected.rgb);
+    free(in_double.rgb);
+    free(in_float.rgb);
+    scene_free(&scene);
+    return ok;
+}
+
+int main(void)
+{
+    static char path[4096], accel[16];
+    static Error error;
+    for (int lanes; scanf("%4095s %d %15s", path, &lanes, accel) == 3;) {
+        RenderSettings settings = {.lanes = lanes,
+                                   .accel = strcmp(accel, "none") == 0  ? ACCEL_NONE
+                                            : strcmp(accel, "bvh") == 0 ? ACCEL_BVH
+                                                                        : ACCEL_KDTREE};
+        error.kind = ERROR_NONE;
+        if (!compare(path, settings, &error)) {
+            error.text[strcspn(error.text, "\n")] = '\0';
+            printf("failed %s\n", error.text);
+        }
+        fflush(stdout);
+    }
+    return 0;
+}
