@@ -128,6 +128,7 @@ static bool named_scene(const Options *options, int index, BenchScene *scene, Er
     if (strlen(path) >= sizeof scene->path)
         return error_set(error, ERROR_USAGE, "the path is too long: %s", path);
     snprintf(scene->name, sizeof scene->name, "%.*s", BENCH_NAME - 1, slash ? slash + 1 : path);
+    text_make_utf8(scene->name);
     snprintf(scene->path, sizeof scene->path, "%s", path);
     override_screen(scene, options);
     return bench_settle(scene, error);

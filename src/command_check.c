@@ -6,6 +6,7 @@
 #include "text.h"
 
 #include <cjson/cJSON.h>
+#include <stdlib.h>
 
 /* --- What it holds --- */
 
@@ -123,12 +124,17 @@ static void print_skippable(const Scene *scene, const Survey *survey)
 /* INDEX and the name as a JSON string, which no line break or quote can leave. */
 static bool print_name(const char *keyword, int index, const char *name, Error *error)
 {
-    cJSON *string = cJSON_CreateStringReference(name);
+    char *copy = text_copy(name, error);
+    if (!copy)
+        return false;
+    text_make_utf8(copy);
+    cJSON *string = cJSON_CreateStringReference(copy);
     char *text = cJSON_PrintUnformatted(string);
     if (text)
         printf("%s %d %s\n", keyword, index, text);
     cJSON_free(text);
     cJSON_Delete(string);
+    free(copy);
     return text ? true : error_memory(error, "a name");
 }
 

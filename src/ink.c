@@ -1,6 +1,8 @@
 /* Setting numbers, vectors and lines of text the way a textbook does. */
 #include "ink.h"
 
+#include "text.h"
+
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,6 +66,7 @@ InkText ink_name(const char *name, int columns)
 {
     size_t length = prefix_of(name, columns);
     InkText text = name[length] ? ink_text("%.*s...", (int)prefix_of(name, columns - 3), name) : ink_text("%s", name);
+    text_make_utf8(text.text);
     for (char *c = text.text; *c; c++)
         if ((unsigned char)*c < 0x20 || *c == 0x7F)
             *c = '?';

@@ -36,7 +36,7 @@ InkText ink_number(double x, int digits);
 /* "(1, 0.5, -2)". */
 InkText ink_vector(Vec3 v, int digits);
 
-/* A name for a text or a terminal: at most `columns` characters, no control characters. */
+/* A name for a text or a terminal: at most `columns` characters, none of them for control, in UTF-8. */
 InkText ink_name(const char *name, int columns);
 
 /* Prints a line, printf-like. Where it would pass the last column it is broken at a tab, and goes on under the first " = "

@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Room for the longest path and what is wrong with it. */
 typedef struct Message {
-    char text[1024];
+    char text[4096 + 512];
     size_t length;
 } Message;
 
@@ -177,7 +178,7 @@ static bool check_keys(const Json *json, const cJSON *item)
                 repeated = keys[i];
         free(keys);
         if (repeated.item)
-            return json_fail_key(json, repeated.item, "the key stands twice in this object");
+            return json_fail_key(json, repeated.item, "the key stands twice in this object; keep one of the two");
     }
     for (const cJSON *child = item->child; child; child = child->next)
         if (child->child && !check_keys(json, child))

@@ -1,7 +1,11 @@
 /* Filling a JSON object member by member. */
 #include "json_node.h"
 
+#include "text.h"
+
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 Node node_new(bool *failed)
 {
@@ -50,7 +54,11 @@ void node_vector(Node node, const char *name, Vec3 v)
 
 void node_text(Node node, const char *name, const char *text)
 {
-    put(node, name, cJSON_CreateString(text));
+    char *copy = strdup(text);
+    if (copy)
+        text_make_utf8(copy);
+    put(node, name, copy ? cJSON_CreateString(copy) : NULL);
+    free(copy);
 }
 
 void node_bool(Node node, const char *name, bool value)

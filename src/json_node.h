@@ -19,7 +19,7 @@ Node node_new(bool *failed);
 /* JSON has no infinity: null. */
 void node_number(Node node, const char *name, double x);
 void node_vector(Node node, const char *name, Vec3 v); /* [x, y, z] */
-void node_text(Node node, const char *name, const char *text);
+void node_text(Node node, const char *name, const char *text); /* what is not UTF-8 becomes '?' */
 void node_bool(Node node, const char *name, bool value);
 
 /* An empty object, or an empty array, as a member. */

@@ -78,10 +78,10 @@ static bool scan_escape(Scan *scan)
     if (code >= 0xD800 && code <= 0xDBFF) {
         int low = scan->at[0] == '\\' && scan->at[1] == 'u' ? hex4(scan->at + 2) : -1;
         if (low < 0xDC00 || low > 0xDFFF)
-            return fault(scan, start, "half a surrogate pair");
+            return fault(scan, start, "half a surrogate pair; write the character itself, or both halves (\\ud83d\\ude00)");
         scan->at += 6;
     } else if (code >= 0xDC00 && code <= 0xDFFF)
-        return fault(scan, start, "half a surrogate pair");
+        return fault(scan, start, "half a surrogate pair; write the character itself, or both halves (\\ud83d\\ude00)");
     return true;
 }
 
@@ -93,7 +93,7 @@ static bool scan_string(Scan *scan)
         if (scan->at == scan->end || *scan->at == '\n' || *scan->at == '\r')
             return fault(scan, start, "the string has no closing '\"' on its line");
         if (length == 0)
-            return fault(scan, scan->at, "not UTF-8");
+            return fault(scan, scan->at, "not UTF-8; save the file as UTF-8");
         if ((unsigned char)*scan->at < 0x20)
             return fault(scan, scan->at, "a control character in a string; write it as an escape");
         if (*scan->at == '\\') {

@@ -47,8 +47,8 @@ static bool read_camera(const Json *json, const cJSON *item, Camera *camera)
     if (vec3_length(camera->up) == 0)
         return json_fail(json, keys[2].item, "\"up\" has no direction: it is zero");
     if (vec3_length(vec3_cross(vec3_unit(view), vec3_unit(camera->up))) < 1e-9)
-        return keys[2].item ? json_fail(json, keys[2].item, "\"up\" is parallel to the view")
-                            : json_fail(json, item, "the view is parallel to \"up\", which is [0, 1, 0] unless given");
+        return keys[2].item ? json_fail(json, keys[2].item, "\"up\" is parallel to the view; give another direction")
+                            : json_fail(json, item, "the view is parallel to \"up\", which is [0, 1, 0] unless given; give one");
     return true;
 }
 

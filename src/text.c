@@ -11,9 +11,12 @@
 
 bool text_fail_errno(const char *path, const char *what, Error *error)
 {
-    bool user = errno == ENOENT || errno == EACCES || errno == EISDIR || errno == ENOTDIR || errno == ELOOP ||
-                errno == ENAMETOOLONG;
-    return error_set(error, user ? ERROR_INPUT : ERROR_SYSTEM, "%s: %s: %s", path, what, strerror(errno));
+    bool user = errno == ENOENT || errno == EACCES || errno == EPERM || errno == EISDIR || errno == ENOTDIR ||
+                errno == ENXIO || errno == ELOOP || errno == ENAMETOOLONG;
+    int reason = errno;
+    Quoted quoted = text_quote(path); /* a path that is too long for the system is too long for a message */
+    return error_set(error, user ? ERROR_INPUT : ERROR_SYSTEM, "%s: %s: %s",
+                     reason == ENAMETOOLONG ? quoted.text : path, what, strerror(reason));
 }
 
 /* O_NONBLOCK: opening a pipe without a writer would wait for ever; for a regular file it means nothing. */
@@ -31,7 +34,7 @@ static FILE *open_regular(const char *path, long *size, Error *error)
     else if (S_ISDIR(status.st_mode))
         error_set(error, ERROR_INPUT, "%s: is a folder, not a file", path);
     else if (!S_ISREG(status.st_mode))
-        error_set(error, ERROR_INPUT, "%s: is not a regular file", path);
+        error_set(error, ERROR_INPUT, "%s: is a %s, not a file", path, S_ISFIFO(status.st_mode) ? "pipe" : "device");
     else if (!(file = fdopen(descriptor, "rb")))
         text_fail_errno(path, "cannot be opened", error);
     if (!file)
@@ -169,6 +172,7 @@ Quoted text_quote(const char *name)
         for (cut = ROOM; cut > 0 && ((unsigned char)name[cut] & 0xC0) == 0x80;) /* not inside a UTF-8 sequence */
             cut--;
     snprintf(quoted.text, sizeof quoted.text, "\"%.*s%s\"", (int)cut, name, cut < length ? "..." : "");
+    text_make_utf8(quoted.text);
     for (char *c = quoted.text; *c; c++)
         if ((unsigned char)*c < 0x20 || *c == 0x7F)
             *c = '?';
@@ -186,6 +190,17 @@ int text_utf8_length(const char *c)
     bool surrogate = u[0] == 0xED && u[1] > 0x9F;
     bool beyond = u[0] == 0xF4 && u[1] > 0x8F;
     return overlong || surrogate || beyond ? 0 : length;
+}
+
+void text_make_utf8(char *text)
+{
+    for (int length; *text; text += length) {
+        length = text_utf8_length(text);
+        if (length == 0) {
+            *text = '?';
+            length = 1;
+        }
+    }
 }
 
 bool text_number(const char *word, double *value)

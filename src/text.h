@@ -54,6 +54,10 @@ Quoted text_quote(const char *name);
 /* Bytes of the UTF-8 sequence at `c`; 0 if it is none (Unicode standard, table 3-7). */
 int text_utf8_length(const char *c);
 
+/* Replaces each byte that is no part of UTF-8 by '?': a file's name and a word of a model may be any bytes, but JSON, SVG
+ * and terminals want UTF-8. */
+void text_make_utf8(char *text);
+
 /* A decimal number as C prints them (1, -1.5, .5, 1., 2e-3), all of the word and finite; not hexadecimal, inf or nan. */
 bool text_number(const char *word, double *value);
 

@@ -277,9 +277,9 @@ static void json_load_should_read_only_regular_files(void)
 {
     const char *fifo = temporary_path();
     TEST_ASSERT_EQUAL(0, mkfifo(fifo, 0600));
-    assert_load_error(": is not a regular file", fifo);
+    assert_load_error(": is a pipe, not a file", fifo);
     unlink(fifo);
-    assert_load_error(": is not a regular file", "/dev/null");
+    assert_load_error(": is a device, not a file", "/dev/null");
     assert_load_error(": is a folder, not a file", "tests");
     assert_load_error(": cannot be opened: No such file or directory", "tests/nowhere.json");
     assert_load_error(": cannot be opened: Not a directory", "tests/test_json.c/x");
