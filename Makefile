@@ -280,20 +280,29 @@ PEERS := $(BUILD)/peers/embree $(BUILD)/peers/povray_export
 PEER_CFLAGS := -std=gnu99 -O3 -march=native -mprefer-vector-width=512 -ffast-math $(WARNINGS)
 
 # plots FOLDER: draws what the last `bench --ladder` measured.
-plots = for plot in docs/plots/*.gp; do gnuplot -e "folder='build/bench'; out='$(1)'" $$plot; done
+plots = for plot in ladder scaling; do gnuplot -e "folder='build/bench'; out='$(1)'" docs/plots/$$plot.gp; done
 
 .PHONY: bench
 bench: ## measure the ladder of scenes: tables here, plots in build/bench/ (many minutes)
 	@$(SETUP) build run bench
 	@$(MAKE) --no-print-directory --silent $(PROGRAM)
-	$(PROGRAM) bench --ladder
+	$(PROGRAM) bench --ladder --folder build/bench
 	@$(call plots,build/bench)
 
 .PHONY: bench-peers
 bench-peers: peers ## the same beside Embree and POV-Ray: renews docs/performance.md and its plots
 	@$(SETUP) build run bench peers
-	$(PROGRAM) bench --ladder -o docs/performance.md
+	$(PROGRAM) bench --ladder --folder build/bench -o docs/performance.md
 	@$(call plots,docs/images)
+
+.PHONY: bench-error
+bench-error: ## time against error, of the ladder's small scenes: renews docs/accuracy.md and its plots (minutes)
+	@$(SETUP) build run bench
+	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	$(PROGRAM) bench error --ladder --folder build/bench --repeats 3 -o docs/accuracy.md
+	@for scene in original cornell mirrors gallery menger-2 city-1k; do \
+	    gnuplot -e "folder='build/bench'; out='docs/images'; scene='$$scene'" docs/plots/error.gp; \
+	done
 
 .PHONY: peers
 peers: ## build the programs of tests/peers/ that ours is measured against

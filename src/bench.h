@@ -3,10 +3,10 @@
 #ifndef RECTRAY_BENCH_H
 #define RECTRAY_BENCH_H
 
+#include "bench_folder.h"
 #include "render.h"
 #include "scene.h"
 
-#define BENCH_FOLDER "build/bench" /* generated scenes, pictures, empty caches, the data of plots */
 #define BENCH_PEER "build/peers/embree"
 #define BENCH_EXPORT "build/peers/povray_export"
 
@@ -17,6 +17,13 @@ typedef struct BenchScene {
     char name[BENCH_NAME], path[512];
     int columns, rows, grid;
 } BenchScene;
+
+/* How to measure. */
+typedef struct BenchPlan {
+    RenderSettings settings;
+    int repeats;        /* pictures to take the median of */
+    BenchFolder folder; /* for generated scenes, pictures, caches and the data of plots */
+} BenchPlan;
 
 /* Times are medians, in milliseconds. */
 typedef struct BenchTrace {
@@ -51,19 +58,18 @@ typedef struct BenchProcess {
 /* Fills in what the scene itself says of its size and grid. */
 bool bench_settle(BenchScene *scene, Error *error);
 
-/* Traces the scene `repeats` times after a warm-up, turn by turn with the peer where it is built. */
-bool bench_trace(BenchTrace *result, const BenchScene *scene, const RenderSettings *settings, int repeats,
-                 Error *error);
+/* Traces the scene after a warm-up, turn by turn with the peer where it is built. */
+bool bench_trace(BenchTrace *result, const BenchScene *scene, const BenchPlan *plan, Error *error);
 
 /* Renders the scene, which must be settled, by starting this program again and again. To be called before bench_trace:
  * on Linux a process begins with the peak memory of the one that started it. */
-bool bench_process(BenchProcess *result, const BenchScene *scene, int repeats, Error *error);
+bool bench_process(BenchProcess *result, const BenchScene *scene, const BenchPlan *plan, Error *error);
 
 /* The same for POV-Ray and the exported scene; leaves 0 where either program is missing. */
-bool bench_povray(BenchProcess *result, int repeats, Error *error);
+bool bench_povray(BenchProcess *result, const BenchPlan *plan, Error *error);
 
-/* Generates the scene's file, BENCH_FOLDER/NAME.json. */
-bool bench_generate(BenchScene *scene, const char *kind, int size, Error *error);
+/* Generates the scene's file, KIND-SIZE.json in the folder. */
+bool bench_generate(BenchScene *scene, const char *kind, int size, const BenchFolder *folder, Error *error);
 
 /* Sorts the times and returns the middle one, the mean of the middle two where their number is even. */
 double bench_median(double *times, int count);

@@ -96,7 +96,7 @@ bool bench_print_json(FILE *out, const Bench *bench, Error *error)
     cJSON_AddStringToObject(object, "processor", bench_processor(processor, sizeof processor));
     cJSON_AddNumberToObject(object, "cores", (double)sysconf(_SC_NPROCESSORS_ONLN));
     cJSON_AddNumberToObject(object, "load", bench->load);
-    cJSON_AddNumberToObject(object, "repeats", bench->repeats);
+    cJSON_AddNumberToObject(object, "repeats", bench->plan.repeats);
     cJSON *scenes = cJSON_AddArrayToObject(object, "scenes"), *scaling = cJSON_AddArrayToObject(object, "scaling"),
           *processes = cJSON_AddArrayToObject(object, "processes");
     bool whole = scenes && scaling && processes;

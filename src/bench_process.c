@@ -8,35 +8,14 @@
 #include <cjson/cJSON.h>
 #include <errno.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#define CACHE "build/bench/cache"
-#define OWN_CACHE "RECTRAY_CACHE_DIR=build/bench/cache/kernels" /* see opencl_cache.h */
-#define DRIVER_CACHE "POCL_CACHE_DIR=build/bench/cache/driver"
-#define PICTURE "build/bench/picture.png"
-#define EXPORT_COMMAND "build/peers/povray_export \"$1\" > build/bench/scene.pov"
-#define POVRAY_SCENE "+Ibuild/bench/scene.pov"
-#define POVRAY_PICTURE "+Obuild/bench/povray.png"
-
-static bool make_folder(const char *path, Error *error)
-{
-    if (mkdir(path, 0777) == 0 || errno == EEXIST)
-        return true;
-    return error_set(error, ERROR_SYSTEM, "cannot make the folder %s: %s", path, strerror(errno));
-}
-
-static bool make_folders(Error *error)
-{
-    return make_folder("build", error) && make_folder(BENCH_FOLDER, error);
-}
-
-bool bench_generate(BenchScene *scene, const char *kind_name, int size, Error *error)
+bool bench_generate(BenchScene *scene, const char *kind_name, int size, const BenchFolder *folder, Error *error)
 {
     const SceneKind *kind = scene_kind_find(kind_name, error);
-    if (!kind || !make_folders(error))
+    if (!kind)
         return false;
-    snprintf(scene->path, sizeof scene->path, BENCH_FOLDER "/%s-%d.json", kind_name, size);
+    snprintf(scene->path, sizeof scene->path, "%s/%s-%d.json", folder->path, kind_name, size);
     FILE *out = fopen(scene->path, "w");
     bool made = out && scene_generate(kind, out, size, 0, error);
     if (out && fclose(out) == 0 && made)
@@ -76,39 +55,53 @@ static bool read_phases(const char *line, BenchPhases *phases, double *peak_byte
     return ok;
 }
 
-static bool render_process(const BenchScene *scene, BenchPhases *phases, double *wall_ms, double *peak_bytes,
-                           Error *error)
+static bool render_process(const BenchScene *scene, const BenchFolder *folder, BenchPhases *phases, double *wall_ms,
+                           double *peak_bytes, Error *error)
 {
     char program[1024], size[32], grid[16], line[8192];
     snprintf(size, sizeof size, "--size=%dx%d", scene->columns, scene->rows);
     snprintf(grid, sizeof grid, "--grid=%d", scene->grid);
-    const char *argv[] = {"env",     OWN_CACHE,      DRIVER_CACHE, own_path(program, sizeof program),
-                          "render",  scene->path,    size,         grid,
-                          "--quiet", "--stats=json", "-o",         PICTURE,
+    /* Both caches of kernels: see opencl_cache.h, and PoCL's manual. */
+    BenchPath own_cache = bench_path(folder, "RECTRAY_CACHE_DIR=", "cache/kernels"),
+              driver_cache = bench_path(folder, "POCL_CACHE_DIR=", "cache/driver"),
+              picture = bench_path(folder, "", "picture.png");
+    const char *argv[] = {"env",
+                          own_cache.text,
+                          driver_cache.text,
+                          own_path(program, sizeof program),
+                          "render",
+                          scene->path,
+                          size,
+                          grid,
+                          "--quiet",
+                          "--stats=json",
+                          "-o",
+                          picture.text,
                           NULL};
     if (!process_run(argv, line, sizeof line, wall_ms, error))
         return false;
     return read_phases(line, phases, peak_bytes) || error_set(error, ERROR_SYSTEM, "render told no statistics");
 }
 
-static bool empty_cache(Error *error)
+static bool empty_cache(const BenchFolder *folder, Error *error)
 {
-    const char *argv[] = {"rm", "-rf", CACHE, NULL};
+    BenchPath cache = bench_path(folder, "", "cache");
+    const char *empty[] = {"rm", "-rf", "--", cache.text, NULL}, *make[] = {"mkdir", "--", cache.text, NULL};
     double ms;
-    return process_run(argv, NULL, 0, &ms, error) && make_folder(CACHE, error);
+    return process_run(empty, NULL, 0, &ms, error) && process_run(make, NULL, 0, &ms, error);
 }
 
 /* The run whose wall-clock time is the median stands for all of them: its phases add up. */
-static bool median_process(const BenchScene *scene, bool cold, int repeats, BenchPhases *phases, double *wall_ms,
-                           double *peak_bytes, Error *error)
+static bool median_process(const BenchScene *scene, const BenchFolder *folder, bool cold, int repeats,
+                           BenchPhases *phases, double *wall_ms, double *peak_bytes, Error *error)
 {
     BenchPhases all[BENCH_MAX_REPEATS];
     double walls[BENCH_MAX_REPEATS], sorted[BENCH_MAX_REPEATS];
     repeats |= 1; /* odd, so that one of them is the median */
     for (int i = 0; i < repeats; i++) {
-        if (cold && !empty_cache(error))
+        if (cold && !empty_cache(folder, error))
             return false;
-        if (!render_process(scene, &all[i], &walls[i], peak_bytes, error))
+        if (!render_process(scene, folder, &all[i], &walls[i], peak_bytes, error))
             return false;
         sorted[i] = walls[i];
     }
@@ -119,35 +112,39 @@ static bool median_process(const BenchScene *scene, bool cold, int repeats, Benc
     return true;
 }
 
-bool bench_process(BenchProcess *result, const BenchScene *scene, int repeats, Error *error)
+bool bench_process(BenchProcess *result, const BenchScene *scene, const BenchPlan *plan, Error *error)
 {
     *result = (BenchProcess){.scene = *scene};
-    return make_folders(error) &&
-           median_process(scene, true, repeats / 2, &result->cold, &result->cold_wall_ms, &result->peak_bytes, error) &&
-           median_process(scene, false, repeats, &result->warm, &result->warm_wall_ms, &result->peak_bytes, error);
+    return median_process(scene, &plan->folder, true, plan->repeats / 2, &result->cold, &result->cold_wall_ms,
+                          &result->peak_bytes, error) &&
+           median_process(scene, &plan->folder, false, plan->repeats, &result->warm, &result->warm_wall_ms,
+                          &result->peak_bytes, error);
 }
 
 /* --- POV-Ray --- */
 
-static bool export_scene(const char *path, Error *error)
+static bool export_scene(const char *path, const char *exported, Error *error)
 {
-    const char *argv[] = {"sh", "-c", EXPORT_COMMAND, "sh", path, NULL};
+    const char *argv[] = {"sh", "-c", BENCH_EXPORT " \"$1\" > \"$2\"", "sh", path, exported, NULL};
     double ms;
     return process_run(argv, NULL, 0, &ms, error);
 }
 
-bool bench_povray(BenchProcess *result, int repeats, Error *error)
+bool bench_povray(BenchProcess *result, const BenchPlan *plan, Error *error)
 {
     const char *find[] = {"sh", "-c", "command -v povray", NULL};
     double times[BENCH_MAX_REPEATS], ms;
     Error missing = {0};
     if (access(BENCH_EXPORT, X_OK) != 0 || !process_run(find, NULL, 0, &ms, &missing))
         return true;
+    int repeats = plan->repeats < 3 ? plan->repeats : 3;
+    BenchPath scene = bench_path(&plan->folder, "", "scene.pov"), input = bench_path(&plan->folder, "+I", "scene.pov"),
+              output = bench_path(&plan->folder, "+O", "povray.png");
     char columns[16], rows[16];
     snprintf(columns, sizeof columns, "+W%d", result->scene.columns);
     snprintf(rows, sizeof rows, "+H%d", result->scene.rows);
-    const char *argv[] = {"povray", POVRAY_SCENE, POVRAY_PICTURE, columns, rows, "-A", "-D", "-V", "-GA", NULL};
-    if (!export_scene(result->scene.path, error))
+    const char *argv[] = {"povray", input.text, output.text, columns, rows, "-A", "-D", "-V", "-GA", NULL};
+    if (!export_scene(result->scene.path, scene.text, error))
         return false;
     for (int i = 0; i < repeats; i++)
         if (!process_run(argv, NULL, 0, &times[i], error))

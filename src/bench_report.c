@@ -179,11 +179,12 @@ static void print_scaling(FILE *out, const Bench *bench)
     }
 }
 
-void bench_print_markdown(FILE *out, const Bench *bench)
+void bench_print_markdown(FILE *out, const void *data)
 {
+    const Bench *bench = data;
     char processor[128];
     fprintf(out, "Measured by `rectray bench` on %ld cores of an %s; times are medians of %d",
-            sysconf(_SC_NPROCESSORS_ONLN), bench_processor(processor, sizeof processor), bench->repeats);
+            sysconf(_SC_NPROCESSORS_ONLN), bench_processor(processor, sizeof processor), bench->plan.repeats);
     fputs(bench->trace_count > 0 && bench->traces[0].has_peer ? ", ours and Embree's turn by turn. " : ". ", out);
     fprintf(out, "Other programs wanted %.1f cores before it began.\n\n", bench->load);
     if (bench->trace_count > 0) {
@@ -201,22 +202,25 @@ void bench_print_markdown(FILE *out, const Bench *bench)
 
 /* --- Columns for gnuplot --- */
 
-static bool write_columns(const char *path, const BenchTrace *traces, int count, Error *error)
+static bool write_columns(const BenchFolder *folder, const char *name, const BenchTrace *traces, int count,
+                          Error *error)
 {
-    FILE *out = fopen(path, "w");
+    BenchPath path = bench_path(folder, "", name);
+    FILE *out = fopen(path.text, "w");
     if (!out)
-        return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", path, strerror(errno));
+        return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", path.text, strerror(errno));
     fputs("# scene faces ours_ms peer_ms our_build_ms peer_build_ms; -1: not measured\n", out);
     for (int i = 0; i < count; i++) {
         const BenchTrace *t = &traces[i];
         fprintf(out, "%s %d %.4f %.4f %.4f %.4f\n", t->scene.name, t->faces, t->trace_ms,
                 t->has_peer ? t->peer_trace_ms : -1, t->build_ms, t->has_peer ? t->peer_build_ms : -1);
     }
-    return fclose(out) == 0 || error_set(error, ERROR_SYSTEM, "cannot write %s", path);
+    return fclose(out) == 0 || error_set(error, ERROR_SYSTEM, "cannot write %s", path.text);
 }
 
 bool bench_write_plot_data(const Bench *bench, Error *error)
 {
-    return write_columns(BENCH_FOLDER "/ladder.dat", bench->traces, bench->trace_count, error) &&
-           write_columns(BENCH_FOLDER "/scaling.dat", bench->scaling, bench->scaling_count, error);
+    const BenchFolder *folder = &bench->plan.folder;
+    return write_columns(folder, "ladder.dat", bench->traces, bench->trace_count, error) &&
+           write_columns(folder, "scaling.dat", bench->scaling, bench->scaling_count, error);
 }

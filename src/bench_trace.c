@@ -45,7 +45,10 @@ static bool trace_once(const Scene *scene, const RenderSettings *settings, Image
 
 /* --- The peer --- */
 
-#define PEER_PICTURE "build/bench/peer.png"
+static BenchPath peer_picture(const BenchPlan *plan)
+{
+    return bench_path(&plan->folder, "", "peer.png");
+}
 
 static bool peer_reads(BenchTrace *result, const char *line)
 {
@@ -69,16 +72,17 @@ static bool peer_reads(BenchTrace *result, const char *line)
 }
 
 /* Starts the peer where it is built, and lets it find its fastest way. */
-static bool peer_start(Process *peer, BenchTrace *result, Error *error)
+static bool peer_start(Process *peer, BenchTrace *result, const BenchPlan *plan, Error *error)
 {
     *peer = (Process){0};
     if (access(BENCH_PEER, X_OK) != 0)
         return true;
     char size[32], grid[16], line[2048];
+    BenchPath picture = peer_picture(plan);
     snprintf(size, sizeof size, "%dx%d", result->scene.columns, result->scene.rows);
     snprintf(grid, sizeof grid, "%d", result->scene.grid);
     const char *argv[] = {BENCH_PEER, result->scene.path, "--size", size,         "--grid",
-                          grid,       "--serve",          "-o",     PEER_PICTURE, NULL};
+                          grid,       "--serve",          "-o",     picture.text, NULL};
     if (!process_start(peer, argv, error))
         return false;
     result->has_peer = fgets(line, sizeof line, peer->from) && peer_reads(result, line);
@@ -97,12 +101,12 @@ static bool peer_trace(Process *peer, double *ms, Error *error)
 }
 
 /* Ends the peer, which then writes its picture, and counts where that differs from ours. */
-static bool peer_finish(Process *peer, BenchTrace *result, const Image *ours, Error *error)
+static bool peer_finish(Process *peer, BenchTrace *result, const BenchPlan *plan, const Image *ours, Error *error)
 {
     Image theirs = {0};
     if (!process_end(peer))
         return error_set(error, ERROR_SYSTEM, "%s failed", BENCH_PEER);
-    if (!image_read(&theirs, PEER_PICTURE, error))
+    if (!image_read(&theirs, peer_picture(plan).text, error))
         return false;
     for (long long i = 0; i < (long long)ours->columns * ours->rows; i++) {
         int largest = 0;
@@ -120,13 +124,14 @@ static bool peer_finish(Process *peer, BenchTrace *result, const Image *ours, Er
 /* --- Ours --- */
 
 /* Both in turn. */
-static bool trace_in_turns(BenchTrace *result, const Scene *scene, const RenderSettings *settings, Process *peer,
-                           Image *picture, int repeats, Error *error)
+static bool trace_in_turns(BenchTrace *result, const Scene *scene, const BenchPlan *plan, Process *peer, Image *picture,
+                           Error *error)
 {
+    int repeats = plan->repeats;
     double ours[BENCH_MAX_REPEATS], builds[BENCH_MAX_REPEATS], theirs[BENCH_MAX_REPEATS];
     for (int i = -1; i < repeats; i++) { /* -1: to warm up */
         int at = i < 0 ? 0 : i;
-        if (!trace_once(scene, settings, picture, &result->report, error) ||
+        if (!trace_once(scene, &plan->settings, picture, &result->report, error) ||
             (peer->pid && !peer_trace(peer, &theirs[at], error)))
             return false;
         ours[at] = result->report.trace_ms;
@@ -141,24 +146,22 @@ static bool trace_in_turns(BenchTrace *result, const Scene *scene, const RenderS
     return true;
 }
 
-static bool trace_median(const Scene *scene, const RenderSettings *settings, int repeats, double *ms, uint64_t *shadow,
-                         Error *error)
+static bool trace_median(const Scene *scene, const BenchPlan *plan, double *ms, uint64_t *shadow, Error *error)
 {
     double times[BENCH_MAX_REPEATS];
-    for (int i = 0; i < repeats; i++) {
+    for (int i = 0; i < plan->repeats; i++) {
         RenderReport report;
-        if (!trace_once(scene, settings, NULL, &report, error))
+        if (!trace_once(scene, &plan->settings, NULL, &report, error))
             return false;
         times[i] = report.trace_ms;
         *shadow = report.rays.shadow;
     }
-    *ms = bench_median(times, repeats);
+    *ms = bench_median(times, plan->repeats);
     return true;
 }
 
 /* The time of a kind of ray is the time that the picture takes longer with it. */
-static bool trace_by_kind(BenchTrace *result, const Scene *scene, const RenderSettings *settings, int repeats,
-                          Error *error)
+static bool trace_by_kind(BenchTrace *result, const Scene *scene, const BenchPlan *plan, Error *error)
 {
     uint64_t none;
     Scene part = *scene;
@@ -166,10 +169,10 @@ static bool trace_by_kind(BenchTrace *result, const Scene *scene, const RenderSe
     result->unmirrored_ms = result->trace_ms;
     result->unmirrored_shadow = result->report.rays.shadow;
     if (result->report.rays.reflection > 0 &&
-        !trace_median(&part, settings, repeats, &result->unmirrored_ms, &result->unmirrored_shadow, error))
+        !trace_median(&part, plan, &result->unmirrored_ms, &result->unmirrored_shadow, error))
         return false;
     part.light_count = 0;
-    return trace_median(&part, settings, repeats, &result->primary_ms, &none, error);
+    return trace_median(&part, plan, &result->primary_ms, &none, error);
 }
 
 static void settle_screen(BenchScene *wanted, Scene *scene)
@@ -195,8 +198,7 @@ bool bench_settle(BenchScene *wanted, Error *error)
     return true;
 }
 
-bool bench_trace(BenchTrace *result, const BenchScene *wanted, const RenderSettings *settings, int repeats,
-                 Error *error)
+bool bench_trace(BenchTrace *result, const BenchScene *wanted, const BenchPlan *plan, Error *error)
 {
     Scene scene;
     Process peer = {0};
@@ -212,10 +214,10 @@ bool bench_trace(BenchTrace *result, const BenchScene *wanted, const RenderSetti
         scene_free(&scene);
         return error_memory(error, "the picture");
     }
-    bool done = peer_start(&peer, result, error) &&
-                trace_in_turns(result, &scene, settings, &peer, &picture, repeats, error) &&
-                (!result->has_peer || peer_finish(&peer, result, &picture, error)) &&
-                trace_by_kind(result, &scene, settings, repeats, error);
+    bool done = peer_start(&peer, result, plan, error) &&
+                trace_in_turns(result, &scene, plan, &peer, &picture, error) &&
+                (!result->has_peer || peer_finish(&peer, result, plan, &picture, error)) &&
+                trace_by_kind(result, &scene, plan, error);
     process_end(&peer);
     image_free(&picture);
     scene_free(&scene);

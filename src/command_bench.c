@@ -1,8 +1,9 @@
 /* rectray bench: measures scenes, or the ladder of scenes on which every figure of docs/performance.md stands.
- * To add a rung to the ladder: its line in the table below. */
-#include "command.h"
+ * `bench error` is command_bench_error.c. */
+#include "bench_document.h"
+#include "bench_ladder.h"
 #include "bench_report.h"
-#include "output.h"
+#include "command.h"
 #include "text.h"
 
 #include <stdlib.h>
@@ -10,28 +11,6 @@
 
 #define MARK_BEGIN "<!-- bench: made by `make bench-peers`, from here -->\n"
 #define MARK_END "<!-- bench: to here -->\n"
-
-enum { DOCUMENT_LIMIT = 16 << 20 };
-
-typedef struct Rung {
-    const char *name;
-    const char *path; /* NULL: generated */
-    const char *kind;
-    int size;
-} Rung;
-
-static const Rung ladder[] = {
-    {"original", "scenes/original.json", NULL, 0},
-    {"cornell", "scenes/cornell.json", NULL, 0},
-    {"mirrors", "scenes/mirrors.json", NULL, 0},
-    {"gallery", "scenes/gallery.json", NULL, 0},
-    {"menger-2", NULL, "menger", 2},
-    {"menger-3", NULL, "menger", 3},
-    {"menger-4", NULL, "menger", 4},
-    {"city-1k", NULL, "city", 1000},
-    {"city-20k", NULL, "city", 20000},
-    {"city-200k", NULL, "city", 200000},
-};
 
 /* Boxes: some 10 to 1 000 000 faces in steps of about the square root of ten. */
 static const int cities[] = {1, 5, 16, 50, 166, 500, 1666, 5000, 16666, 50000, 166666};
@@ -60,25 +39,26 @@ static void override_screen(BenchScene *scene, const Options *options)
         scene->grid = options->grid;
 }
 
-static bool rung_scene(const Rung *rung, BenchScene *scene, Error *error)
+/* A rung in the size of docs/performance.md, unless the options say otherwise. */
+static bool rung_scene(const BenchRung *rung, const Bench *bench, const Options *options, BenchScene *scene,
+                       Error *error)
 {
-    *scene = (BenchScene){.columns = 1920, .rows = 1080, .grid = 1};
-    snprintf(scene->name, sizeof scene->name, "%s", rung->name);
-    if (!rung->path)
-        return bench_generate(scene, rung->kind, rung->size, error);
-    snprintf(scene->path, sizeof scene->path, "%s", rung->path);
+    if (!bench_rung(rung, &bench->plan.folder, scene, error))
+        return false;
+    scene->columns = 1920;
+    scene->rows = 1080;
+    scene->grid = 1;
+    override_screen(scene, options);
     return true;
 }
 
 static bool measure_ladder(Bench *bench, const Options *options, Error *error)
 {
-    for (size_t i = 0; i < sizeof ladder / sizeof *ladder; i++) {
+    for (const BenchRung *rung = bench_ladder; rung->name; rung++) {
         BenchScene scene;
-        tell(options, "tracing", ladder[i].name);
-        if (!rung_scene(&ladder[i], &scene, error))
-            return false;
-        override_screen(&scene, options);
-        if (!bench_trace(&bench->traces[bench->trace_count], &scene, &options->settings, bench->repeats, error))
+        tell(options, "tracing", rung->name);
+        if (!rung_scene(rung, bench, options, &scene, error) ||
+            !bench_trace(&bench->traces[bench->trace_count], &scene, &bench->plan, error))
             return false;
         bench->trace_count++;
     }
@@ -92,10 +72,9 @@ static bool measure_scaling(Bench *bench, const Options *options, Error *error)
         snprintf(name, sizeof name, "city-%d", cities[i]);
         BenchScene scene;
         tell(options, "tracing", name);
-        if (!rung_scene(&(Rung){name, NULL, "city", cities[i]}, &scene, error))
-            return false;
-        override_screen(&scene, options);
-        if (!bench_trace(&bench->scaling[bench->scaling_count], &scene, &options->settings, bench->repeats, error))
+        BenchRung rung = {.name = name, .kind = "city", .size = cities[i]};
+        if (!rung_scene(&rung, bench, options, &scene, error) ||
+            !bench_trace(&bench->scaling[bench->scaling_count], &scene, &bench->plan, error))
             return false;
         bench->scaling_count++;
     }
@@ -105,17 +84,16 @@ static bool measure_scaling(Bench *bench, const Options *options, Error *error)
 static bool measure_processes(Bench *bench, const Options *options, Error *error)
 {
     for (size_t i = 0; i < sizeof process_rungs / sizeof *process_rungs; i++) {
-        const Rung *rung = &ladder[process_rungs[i].rung];
+        const BenchRung *rung = &bench_ladder[process_rungs[i].rung];
         BenchProcess *result = &bench->processes[bench->process_count++];
         BenchScene scene;
         tell(options, "rendering", rung->name);
-        if (!rung_scene(rung, &scene, error))
+        if (!rung_scene(rung, bench, options, &scene, error))
             return false;
         scene.columns = process_rungs[i].columns;
         scene.rows = process_rungs[i].rows;
         override_screen(&scene, options);
-        if (!bench_process(result, &scene, bench->repeats, error) ||
-            !bench_povray(result, bench->repeats < 3 ? bench->repeats : 3, error))
+        if (!bench_process(result, &scene, &bench->plan, error) || !bench_povray(result, &bench->plan, error))
             return false;
     }
     return true;
@@ -140,12 +118,12 @@ static bool measure_scenes(Bench *bench, const Options *options, Error *error)
     for (int i = 0; i < options->operand_count; i++, bench->process_count++) {
         tell(options, "rendering", options->operands[i]);
         if (!named_scene(options, i, &scenes[i], error) ||
-            !bench_process(&bench->processes[i], &scenes[i], bench->repeats, error))
+            !bench_process(&bench->processes[i], &scenes[i], &bench->plan, error))
             return false;
     }
     for (int i = 0; i < options->operand_count; i++, bench->trace_count++) {
         tell(options, "tracing", options->operands[i]);
-        if (!bench_trace(&bench->traces[i], &scenes[i], &options->settings, bench->repeats, error))
+        if (!bench_trace(&bench->traces[i], &scenes[i], &bench->plan, error))
             return false;
     }
     return true;
@@ -153,42 +131,11 @@ static bool measure_scenes(Bench *bench, const Options *options, Error *error)
 
 /* --- Telling --- */
 
-/* A document, and the place in it where the tables go. */
-typedef struct Document {
-    char *text; /* NULL: none is wanted */
-    char *begin, *end;
-} Document;
-
-static bool document_read(Document *document, const char *path, Error *error)
+static bool report(const Bench *bench, const Options *options, const BenchDocument *document, Error *error)
 {
-    long length;
-    document->text = text_read(path, DOCUMENT_LIMIT, &length, error);
-    if (!document->text)
+    if (options->ladder && options->folder && !bench_write_plot_data(bench, error))
         return false;
-    document->begin = strstr(document->text, MARK_BEGIN);
-    document->end = document->begin ? strstr(document->begin, MARK_END) : NULL;
-    return document->end || error_set(error, ERROR_INPUT, "%s: the lines %.*s and %.*s are missing", path,
-                                      (int)strlen(MARK_BEGIN) - 1, MARK_BEGIN, (int)strlen(MARK_END) - 1, MARK_END);
-}
-
-/* Puts the tables between the marks; all other words stay. */
-static bool document_write(const Document *document, const Bench *bench, const char *path, Error *error)
-{
-    size_t before = (size_t)(document->begin - document->text) + strlen(MARK_BEGIN);
-    Output output;
-    if (!output_open(&output, path, "the page", error))
-        return false;
-    fwrite(document->text, 1, before, output.file);
-    bench_print_markdown(output.file, bench);
-    fputs(document->end, output.file);
-    return output_commit(&output, error);
-}
-
-static bool report(const Bench *bench, const Options *options, const Document *document, Error *error)
-{
-    if (options->ladder && !bench_write_plot_data(bench, error))
-        return false;
-    if (document->text && !document_write(document, bench, options->output, error))
+    if (document->text && !bench_document_write(document, bench_print_markdown, bench, error))
         return false;
     if (options->json)
         return bench_print_json(stdout, bench, error);
@@ -205,20 +152,35 @@ static bool measure(Bench *bench, const Options *options, Error *error)
            measure_scaling(bench, options, error);
 }
 
+static bool measure_and_report(Bench *bench, const Options *options, Error *error)
+{
+    BenchDocument document;
+    bench->load = bench_load();
+    /* The document first: nobody measures for many minutes to hear that it is not there. */
+    bool done = bench_document_read(&document, options->output, MARK_BEGIN, MARK_END, error) &&
+                measure(bench, options, error) && report(bench, options, &document, error);
+    bench_document_free(&document);
+    return done;
+}
+
 bool command_bench(const Options *options, Error *error)
 {
+    if (options->operand_count > 0 && strcmp(options->operands[0], "error") == 0)
+        return command_bench_error(options, error);
     if (options->operand_count == 0 && !options->ladder)
-        return error_set(error, ERROR_USAGE, "bench needs scenes, or --ladder");
-    Document document = {0};
+        return error_set(
+            error, ERROR_USAGE,
+            "bench needs scenes to measure: `rectray bench SCENE...` for their speed, `rectray bench error "
+            "SCENE...` for time against error; --ladder instead of scenes measures those of the documentation");
     Bench *bench = calloc(1, sizeof *bench);
     if (!bench)
         return error_memory(error, "the measurements");
-    bench->load = bench_load();
-    bench->repeats = options->repeats > 0 ? options->repeats : 5;
-    /* The document first: nobody measures for many minutes to hear that it is not there. */
-    bool done = (!options->output || document_read(&document, options->output, error)) &&
-                measure(bench, options, error) && report(bench, options, &document, error);
-    free(document.text);
+    bench->plan = (BenchPlan){.settings = options->settings, .repeats = options->repeats > 0 ? options->repeats : 5};
+    bool done = bench_folder_open(&bench->plan.folder, options->folder, error);
+    if (done) {
+        done = measure_and_report(bench, options, error);
+        bench_folder_close(&bench->plan.folder);
+    }
     free(bench);
     return done;
 }

@@ -58,6 +58,11 @@ static bool set_heatmap(Options *o, const char *value)
     return set_path(value, &o->heatmap);
 }
 
+static bool set_folder(Options *o, const char *value)
+{
+    return set_path(value, &o->folder);
+}
+
 static bool set_backend(Options *o, const char *value)
 {
     static const char *const words[] = {"opencl", "reference", NULL};
@@ -263,6 +268,8 @@ const Option option_table[] = {
     {"heatmap", 0, "FILE", "compare", set_heatmap, "the name of a file, or - for standard output",
      "draw where they differ, from black (equal) to white (255)"},
     {"ladder", 0, NULL, "bench", set_ladder, NULL, "measure the scenes that docs/performance.md stands on"},
+    {"folder", 0, "FOLDER", "bench", set_folder, "the name of a folder",
+     "keep scenes, data of plots and pictures there; it is made"},
     {"repeats", 0, "N", "bench", set_repeats, "a whole number from 1 to 99", "pictures to take the median of (default 5)"},
     {"json", 0, NULL, "bench", set_json, NULL, "print one JSON object instead of tables"},
     {"backend", 'b', "NAME", "render cast", set_backend, "opencl or reference",

@@ -17,6 +17,7 @@ typedef struct Options {
     int operand_count;
     const char *output; /* NULL: not given; "-": stdout */
     const char *rays;   /* NULL or "-": stdin */
+    const char *folder;  /* for the files of a measurement; NULL: not given */
     const char *heatmap; /* NULL: not given; "-": stdout */
     Backend backend;
     RenderSettings settings;

@@ -1,4 +1,5 @@
 """rectray bench: its JSON has its keys, its tables go between the marks. No time decides a test."""
+import csv
 import json
 import os
 import subprocess
@@ -11,7 +12,9 @@ MARKS = ("<!-- bench: made by `make bench-peers`, from here -->\n", "<!-- bench:
 PHASES = {"parse", "build", "device", "compile", "upload", "trace", "readback", "encode", "total", "wall"}
 
 
-class Bench(unittest.TestCase):
+class BenchTest(unittest.TestCase):
+    """Each test runs in a folder of its own."""
+
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
@@ -26,11 +29,22 @@ class Bench(unittest.TestCase):
             return page.read()
 
     def bench(self, *words, status=0):
+        """Runs it in the test's folder, and checks that its temporary files are gone."""
+        temporary = os.path.join(self.folder.name, "temporary")
+        os.makedirs(temporary, exist_ok=True)
         done = subprocess.run([RECTRAY, "bench", *words, "--size=8x6", "--grid=1", "--repeats=1", "--quiet"],
-                              cwd=self.folder.name, capture_output=True, text=True)
+                              cwd=self.folder.name, capture_output=True, text=True,
+                              env=dict(os.environ, TMPDIR=temporary))
         self.assertEqual(done.returncode, status, done.stderr)
+        self.assertEqual(os.listdir(temporary), [])
+        os.rmdir(temporary)
         return done
 
+    def files(self):
+        return sorted(os.listdir(self.folder.name))
+
+
+class Speed(BenchTest):
     def test_json_holds_every_figure_and_tables_replace_what_stands_between_the_marks(self):
         page = self.write_page("before\n" + MARKS[0] + "stale words\n" + MARKS[1] + "after\n")
         result = json.loads(self.bench(SCENE, "--json", "-o", page).stdout)
@@ -60,7 +74,77 @@ class Bench(unittest.TestCase):
 
     def test_a_wrong_scene_and_no_scene_are_refused(self):
         self.bench("missing.json", status=1)
-        self.assertIn("--ladder", self.bench(status=2).stderr)
+        self.bench("error", "missing.json", status=1)
+        for words in ([], ["error"]):
+            message = self.bench(*words, status=2).stderr
+            self.assertIn("--ladder", message)
+            self.assertIn("rectray bench error", message)
+        self.assertEqual(self.files(), [])
+
+    def test_files_go_to_the_folder_that_was_chosen(self):
+        self.bench(SCENE)
+        self.assertEqual(self.files(), [])
+        self.bench(SCENE, "--folder", "deep/er")
+        self.assertIn("picture.png", os.listdir(os.path.join(self.folder.name, "deep", "er")))
+        self.write_page("a file, not a folder")
+        self.assertIn("page.md", self.bench(SCENE, "--folder", "page.md/x", status=3).stderr)
+
+
+class Error(BenchTest):
+    """Time against error: what must hold whatever the times."""
+
+    SCENE = os.path.join(os.path.dirname(SCENE), "many_lights.json")
+    MARKS = ("<!-- bench error: made by `make bench-error`, from here -->\n", "<!-- bench error: to here -->\n")
+
+    def setUp(self):
+        super().setUp()
+        page = self.write_page("before\n" + self.MARKS[0] + "stale\n" + self.MARKS[1] + "after\n")
+        self.bench("error", self.SCENE, "--folder", "files", "-o", page)
+        with open(os.path.join(self.folder.name, "files", "error-many_lights.csv"), newline="") as file:
+            self.rows = {row["choice"]: row for row in csv.DictReader(file)}
+        self.page = self.read(page)
+
+    def rmse(self, name):
+        return float(self.rows[name]["rmse"])
+
+    def test_everything(self):
+        """One measurement, several looks at it: it takes seconds."""
+        with self.subTest("every choice is there"):
+            for grid in (1, 2, 3, 4, 6, 8, 12, 16):
+                for way in ("float", "double", "reference"):
+                    self.assertEqual(int(self.rows[f"{way}, grid {grid}"]["primary"]), 48 * grid * grid)
+            for more in ("0 bounces", "accel none", "accel kdtree", "accel bvh"):
+                self.assertIn(f"float, grid 4, {more}", self.rows)
+        with self.subTest("the double kernel is as far from the truth as the reference, float hardly farther"):
+            for grid in (1, 2, 3, 4, 6, 8, 12, 16):
+                exact = self.rmse(f"reference, grid {grid}")
+                self.assertAlmostEqual(self.rmse(f"double, grid {grid}"), exact, delta=1e-6 * exact)
+                self.assertAlmostEqual(self.rmse(f"float, grid {grid}"), exact, delta=1e-3 * exact)
+        with self.subTest("more rays come closer to the truth, whose own error is far below"):
+            self.assertLess(self.rmse("float, grid 16"), self.rmse("float, grid 4"))
+            self.assertLess(self.rmse("float, grid 4"), self.rmse("float, grid 1"))
+            self.assertLess(3 * float(self.rows["float, grid 1"]["truth_error"]), self.rmse("float, grid 16"))
+        with self.subTest("fewer bounces are farther"):
+            self.assertGreater(self.rmse("float, grid 4, 0 bounces"), 2 * self.rmse("float, grid 4"))
+        with self.subTest("what is dominated names what is faster and as close, and what is not is on the front"):
+            for row in self.rows.values():
+                better = [other for other in self.rows.values() if float(other["trace_ms"]) < float(row["trace_ms"])
+                          and float(other["rmse"]) <= 1.00999 * float(row["rmse"])]
+                if row["on_front"] == "1":
+                    self.assertEqual(better, [])
+                else:
+                    by = self.rows[row["better"]]
+                    self.assertLessEqual(float(by["trace_ms"]), float(row["trace_ms"]))
+                    self.assertLessEqual(float(by["rmse"]), 1.01001 * float(row["rmse"]))
+        with self.subTest("the tables are in the page"):
+            self.assertTrue(self.page.startswith("before\n" + self.MARKS[0]))
+            self.assertTrue(self.page.endswith(self.MARKS[1] + "after\n"))
+            self.assertNotIn("stale", self.page)
+            for name in self.rows:
+                self.assertIn(f"| {name} |", self.page)
+        with self.subTest("what it sweeps itself is not asked for"):
+            self.assertIn("measures both", self.bench("error", self.SCENE, "-p", "float", status=2).stderr)
+            self.assertIn("CSV", self.bench("error", self.SCENE, "--json", status=2).stderr)
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ static double rmse_of_grid(int n)
     small.scene.grid = n;
     for (int i = 0; i < PIXELS; i++) {
         double error =
-            reference_pixel(&(Tracer){&small.scene, NULL, &report, NULL}, i % COLUMNS, i / COLUMNS).x - truth[i];
+            reference_pixel(&(Tracer){.scene = &small.scene, .report = &report}, i % COLUMNS, i / COLUMNS).x - truth[i];
         sum += error * error;
     }
     return sqrt(sum / PIXELS);

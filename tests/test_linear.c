@@ -39,7 +39,7 @@ void setUp(void)
         scene.lights[i].diffuse = vec3_scale(3, scene.lights[i].diffuse);
     RenderReport report = {0};
     for (int i = 0; i < COLUMNS * ROWS; i++) {
-        Vec3 c = reference_pixel(&(Tracer){&scene, NULL, &report, NULL}, i % COLUMNS, i / COLUMNS);
+        Vec3 c = reference_pixel(&(Tracer){.scene = &scene, .report = &report}, i % COLUMNS, i / COLUMNS);
         memcpy(expected + 3 * i, (const double[]){c.x, c.y, c.z}, 3 * sizeof *expected);
     }
     for (int i = 0; i < VALUES; i++)

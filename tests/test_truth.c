@@ -32,7 +32,7 @@ static Vec3 reference_at(const Scene *scene, int column, int row, int grid)
 {
     Scene fine = *scene;
     fine.grid = grid;
-    return reference_pixel(&(Tracer){&fine, NULL, &report, NULL}, column, row);
+    return reference_pixel(&(Tracer){.scene = &fine, .report = &report}, column, row);
 }
 
 /* The exact colour of a pixel of unshaded faces; *contrast receives how much its colours differ. */
