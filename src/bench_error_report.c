@@ -129,12 +129,22 @@ void bench_error_print_markdown(FILE *out, const void *data)
 
 /* --- CSV --- */
 
+/* In quotes, a quote doubled (RFC 4180). */
+static void write_text(FILE *out, const char *text)
+{
+    fputc('"', out);
+    for (const char *c = text; *c; c++)
+        fputs(*c == '"' ? "\"\"" : (const char[]){*c, '\0'}, out);
+    fputc('"', out);
+}
+
 static void write_choice(FILE *out, const BenchError *result, const ErrorChoice *choice)
 {
     static const char *const series[] = {"float", "double", "reference", "bounces", "accel"};
     static const char *const accels[] = {"auto", "none", "kdtree", "bvh"};
-    fprintf(out, "%s,%d,%d,\"%s\",%s,%s,%s,%s,%d,%d,%d,", result->scene.name, result->scene.columns, result->scene.rows,
-            choice->name, series[choice->series], choice->backend == BACKEND_OPENCL ? "opencl" : "reference",
+    write_text(out, result->scene.name);
+    fprintf(out, ",%d,%d,\"%s\",%s,%s,%s,%s,%d,%d,%d,", result->scene.columns, result->scene.rows, choice->name,
+            series[choice->series], choice->backend == BACKEND_OPENCL ? "opencl" : "reference",
             choice->precision == PRECISION_FLOAT ? "float" : "double", accels[choice->accel], choice->grid,
             choice->bounces, choice->runs);
     if (choice->runs == 0) {

@@ -15,7 +15,7 @@ set title scene.": what more time buys; the numbers are N of N x N rays per pixe
 is(series) = strcol(5) eq series
 plain(dummy) = is("float") || is("double") || is("reference")
 stats data using 22 skip 1 nooutput
-truth = STATS_max
+truth = STATS_max > 1e-9 ? STATS_max : 1e-9
 bytes = 1 / 255.0 / sqrt(12) # what rounding to bytes alone makes
 stats data using 13 skip 1 nooutput
 set yrange [truth / 2:1.5 * STATS_max]
