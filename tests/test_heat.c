@@ -26,6 +26,7 @@ static void equal_should_be_black_and_one_step_plainly_seen(void)
     TEST_ASSERT_EQUAL_DOUBLE(0, brightness(heat_of_difference(0)));
     TEST_ASSERT_DOUBLE_WITHIN(1, 64, brightness(heat_of_difference(1)));
     TEST_ASSERT_EQUAL_DOUBLE(255, brightness(heat_of_difference(255)));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-3, (0.25 + 1) / 2, heat_of_difference(16)); /* 16^2 is about 255 */
 }
 
 static void larger_differences_should_be_hotter(void)
