@@ -4,6 +4,7 @@ A scene that fails stays in FOLDER, as it was made and reduced to what the failu
 "N passed, N failed".
 Usage: run.py COMPARE FOLDER COUNT SEED    COMPARE: the program built from compare.c"""
 import copy
+import itertools
 import json
 import os
 import random
@@ -17,9 +18,10 @@ LANES, ACCELS = [1, 4, 8, 16], ["none", "bvh", "kdtree"]
 
 def good(verdict, generator):
     """In a scene snapped to a lattice whole rows of rays may run along an edge, and float rounds them to either side: there
-    any number of pixels beside edges may be off. Where faces lie on one another, float may see the one or the other."""
+    any number of pixels beside edges may be off. Where faces lie on one another, float may see the one or the other. Of
+    extreme numbers a float keeps too few digits."""
     return verdict[0] == "equal" or (
-        verdict[0] == "float" and (generator.tied or (generator.snapped and verdict[3] == "0")))
+        verdict[0] == "float" and (generator.tied or generator.extreme or (generator.snapped and verdict[3] == "0")))
 
 
 def kind_of(verdict):
@@ -52,8 +54,8 @@ class Comparer:
 
 
 def cuts(value):
-    """Copies of a JSON value, each without one element or member; the outermost first."""
-    if isinstance(value, (dict, list)):
+    """Copies of a JSON value, each without one element or member; the outermost first. Lists of numbers stay whole."""
+    if isinstance(value, dict) or (isinstance(value, list) and not isinstance(next(iter(value), 0), (int, float))):
         keys = list(value) if isinstance(value, dict) else range(len(value) - 1, -1, -1)
         for key in keys:
             smaller = copy.copy(value)
@@ -67,23 +69,25 @@ def cuts(value):
 
 
 def reduce(comparer, name, text, files, build, kind):
-    """Takes away what can go while the verdict stays of its kind. Leaves the smallest
-    scene in NAME.json, and returns its verdict."""
+    """Takes away what can go while the verdict stays of its kind. Leaves the smallest scene in NAME.json, and
+    returns its verdict."""
     scene, found = json.loads(text), True
     still = lambda smaller, parts: kind_of(comparer.verdict(name, json.dumps(smaller), parts, build)) == kind
     while found:
-        found = False
-        for smaller in cuts(scene):
+        found, place = False, 0
+        while smaller := next(itertools.islice(cuts(scene), place, None), None):
             if still(smaller, files):
                 scene, found = smaller, True
-                break
-        for file in [] if found else files:
-            lines = files[file].splitlines()
-            for i in range(len(lines)):
-                fewer = files | {file: "\n".join(lines[:i] + lines[i + 1:])}
+            else:
+                place += 1
+        for file in files:
+            line = 0
+            while line < len(lines := files[file].splitlines()):
+                fewer = files | {file: "\n".join(lines[:line] + lines[line + 1:])}
                 if still(scene, fewer):
                     files, found = fewer, True
-                    break
+                else:
+                    line += 1
     return comparer.verdict(name, json.dumps(scene, indent=1), files, build)
 
 
@@ -99,7 +103,7 @@ def explain(comparer, seed, name, build, verdict):
 
 
 def try_scene(comparer, seed):
-    """Returns whether the scene has exact coincidences, its pixels, and those off in float; None where it fails."""
+    """Returns whether float may be off in the scene, its pixels, and those off in float; None where it fails."""
     name = f"scene-{seed}"
     generator = scenes.Generator(seed, name)
     text, files = generator.scene(), generator.files
@@ -109,7 +113,7 @@ def try_scene(comparer, seed):
     if good(verdict, generator):
         for file in [name + ".json", *files]:
             os.remove(os.path.join(comparer.folder, file))
-        return generator.snapped or generator.tied, int(verdict[1]), int(verdict[2])
+        return generator.snapped or generator.tied or generator.extreme, int(verdict[1]), int(verdict[2])
     explain(comparer, seed, name, build, verdict)
     if verdict[0] != "failed":
         reduced = f"scene-{seed}-reduced"
@@ -127,12 +131,12 @@ def main(program, folder, count, seed):
     for i in range(seed, seed + count):
         result = try_scene(comparer, i)
         if result:
-            exact = result[0]
+            may = result[0]
             passed += 1
-            pixels[exact] += result[1]
-            off[exact] += result[2]
+            pixels[may] += result[1]
+            off[may] += result[2]
     print(f"{count} scenes, {sum(pixels)} pixels, equal in double. Off by more than 1/255 in float: {off[0]} of {pixels[0]} "
-          f"pixels, and beside edges and on faces that rays meet exactly {off[1]} of {pixels[1]}")
+          f"pixels, and where it may be {off[1]} of {pixels[1]}")
     print(f"{passed} passed, {count - passed} failed")
     return passed < count
 

@@ -55,14 +55,19 @@ class Generator:
         self.name = name # of the scene's files, without an ending
         self.files = {}
         self.snapped = self.rng.random() < 0.5
+        self.extreme = self.rng.random() < 0.06 # numbers up to the format's limits, too large for a float's precision
         self.tied = False # two faces lie on one another, but list their vertices in another order: then t is equal but for rounding
-        self.scale = self.rng.choice([1, 1, 1, 1, 1000, 0.125, 1e-3, 7.3e4])
+        self.scale = self.rng.choice([1e-9, 1e-6, 1, 1e6, 1e9] if self.extreme else [1, 1, 1, 1, 1000, 0.125, 1e-3, 7.3e4])
         self.offset = [self.scale * self.rng.choice([1e3, -1e5, 1e6]) for _ in range(3)] if self.chance(0.15) else [0, 0, 0]
 
     # --- Numbers ---
 
     def chance(self, p):
         return self.rng.random() < p
+
+    def power(self, low, high):
+        """Any order of magnitude from 10^low to 10^high."""
+        return 10 ** self.rng.uniform(low, high)
 
     def coordinate(self, size=3.0):
         if self.snapped:
@@ -92,6 +97,8 @@ class Generator:
                 return a, b
 
     def colour(self, most=1.0):
+        if self.extreme and self.chance(0.3):
+            return [self.rng.choice([0, 1e18, self.power(-320, -300), self.power(-18, 18)]) for _ in range(3)]
         if self.chance(0.2):
             return [self.rng.choice([0, most, most / 2])] * 3
         return [self.rng.choice([0, 1, round(self.rng.uniform(0, most), 2), self.rng.uniform(0, most)]) for _ in range(3)]
@@ -125,7 +132,7 @@ class Generator:
         screen = {"columns": columns, "rows": rows, "width": self.rng.choice([0.5, 1])}
         for key in ("distance", "width", "height"):
             if self.chance(0.3):
-                screen[key] = self.rng.choice([1, 2, self.rng.uniform(0.5, 3)])
+                screen[key] = self.power(-12, 12) if self.extreme else self.rng.choice([1, 2, self.rng.uniform(0.5, 3)])
         return self.commented(screen)
 
     def light(self):
@@ -144,6 +151,8 @@ class Generator:
                 material[key] = self.colour(0.3 if key == "ambient" else 1.0)
         if self.chance(0.6):
             material["shininess"] = self.rng.choice([0, 1, 2, 4, 10, 50, 200, self.rng.uniform(0, 300)])
+            if self.extreme:
+                material["shininess"] = self.power(-300, 18)
         if self.chance(0.5):
             material["reflection"] = self.rng.choice([0, 0.5, 1, self.rng.random()])
         return self.commented(material)
