@@ -2,7 +2,8 @@
  * or 0; accel none, bvh or kdtree), and answers each with one line:
  *     equal PIXELS OFF                            the double kernel gives the reference's picture and counts of rays;
  *                                                 OFF pixels of the float kernel's are off by more than 1/255
- *     double COLUMN ROW DIFFERENCE                the first pixel where the double kernel's picture differs
+ *     double COLUMN ROW DIFFERENCE                the worst pixel where the double kernel's picture differs
+ *     tree COLUMN ROW DIFFERENCE                  the same of the reference's own picture with a tree
  *     rays WHAT EXPECTED FOUND                    the pictures are equal, a count of rays is not
  *     float PIXELS OFF AWAY COLUMN ROW DIFFERENCE too many pixels are off in float: how many, how many of them are away
  *                                                 from any edge, and the worst (of those, where there are any)
@@ -112,15 +113,19 @@ static bool same_counts(const RenderReport *expected, const RenderReport *found)
     return true;
 }
 
-static void judge(const Scene *scene, const Picture *expected, const Picture *in_double, const Picture *in_float)
+/* All pixels and all counts, or a line that says what is not equal. */
+static bool same_pictures(const Picture *expected, const Picture *picture, const char *which)
+{
+    Off off = compare_pictures(expected, picture, 0);
+    if (off.count > 0)
+        printf("%s %d %d %d\n", which, off.worst % expected->columns, off.worst / expected->columns, off.difference);
+    return off.count == 0 && same_counts(&expected->report, &picture->report);
+}
+
+static void judge_float(const Scene *scene, const Picture *expected, const Picture *in_float)
 {
     int columns = expected->columns, pixels = columns * expected->rows;
-    Off off = compare_pictures(expected, in_double, 0);
-    if (off.count > 0)
-        printf("double %d %d %d\n", off.worst % columns, off.worst / columns, off.difference);
-    if (off.count > 0 || !same_counts(&expected->report, &in_double->report))
-        return;
-    off = compare_pictures(expected, in_float, 1);
+    Off off = compare_pictures(expected, in_float, 1);
     Off away = away_from_edges(scene, expected, in_float, 1);
     const Off *told = away.count > 0 ? &away : &off;
     if (away.count > 0 || off.count > (pixels < SMALL_PICTURE ? 1 : pixels / SMALL_PICTURE))
@@ -133,16 +138,19 @@ static void judge(const Scene *scene, const Picture *expected, const Picture *in
 static bool compare(const char *path, RenderSettings settings, Error *error)
 {
     Scene scene;
-    Picture expected = {0}, in_double = {0}, in_float = {0};
+    Picture expected = {0}, by_tree = {0}, in_double = {0}, in_float = {0};
     bool ok = scene_load(&scene, path, error) &&
               render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_NONE, .threads = 1}, &expected, error);
+    ok = ok &&
+         render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = settings.accel, .threads = 1}, &by_tree, error);
     settings.precision = PRECISION_DOUBLE;
     ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_double, error);
     settings.precision = PRECISION_FLOAT;
     ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_float, error);
-    if (ok)
-        judge(&scene, &expected, &in_double, &in_float);
+    if (ok && same_pictures(&expected, &by_tree, "tree") && same_pictures(&expected, &in_double, "double"))
+        judge_float(&scene, &expected, &in_float);
     free(expected.rgb);
+    free(by_tree.rgb);
     free(in_double.rgb);
     free(in_float.rgb);
     scene_free(&scene);

@@ -96,10 +96,11 @@ def explain(comparer, seed, name, build, verdict):
     path = os.path.join(comparer.folder, name + ".json")
     print(f"scene {seed} at {build[0]} lanes, --accel {build[1]}: {' '.join(verdict)}")
     print(f"    again: make random-scenes COUNT=1 SEED={seed}")
-    if verdict[0] in ("double", "float"):
-        column, row = verdict[1:3] if verdict[0] == "double" else verdict[4:6]
-        precision = f"--precision {verdict[0]} --lanes {build[0]} --accel {build[1]}"
-        print(f"    rectray render {path} {precision} -o opencl.png; rectray render {path} -b reference -o reference.png")
+    if verdict[0] in ("double", "float", "tree"):
+        column, row = verdict[4:6] if verdict[0] == "float" else verdict[1:3]
+        how = "-b reference" if verdict[0] == "tree" else f"--precision {verdict[0]} --lanes {build[0]}"
+        print(f"    rectray render {path} {how} --accel {build[1]} -o found.png")
+        print(f"    rectray render {path} -b reference --accel none -o expected.png")
         print(f"    rectray trace {path} --pixel {column},{row}")
 
 
@@ -135,7 +136,7 @@ def main(program, folder, count, seed):
             passed += 1
             pixels[may] += result[1]
             off[may] += result[2]
-    print(f"{count} scenes, {sum(pixels)} pixels, equal in double. Off by more than 1/255 in float: {off[0]} of {pixels[0]} "
+    print(f"{count} scenes, {sum(pixels)} pixels, equal in double and through trees. Off by more than 1/255 in float: {off[0]} of {pixels[0]} "
           f"pixels, and where it may be {off[1]} of {pixels[1]}")
     print(f"{passed} passed, {count - passed} failed")
     return passed < count

@@ -128,7 +128,7 @@ class Generator:
         return self.commented(camera | ({"up": up} if up else {}))
 
     def screen(self):
-        columns, rows = self.rng.choice([(24, 18), (24, 18), (16, 16), (31, 17), (1, 40), (40, 1), (7, 5), (33, 9)])
+        columns, rows = self.rng.choice([(24, 18), (24, 18), (16, 16), (31, 17), (1, 40), (40, 1), (7, 5), (33, 9), (3, 150), (61, 47)])
         screen = {"columns": columns, "rows": rows, "width": self.rng.choice([0.5, 1])}
         for key in ("distance", "width", "height"):
             if self.chance(0.3):
@@ -184,7 +184,8 @@ class Generator:
     def mesh_of_sheet(self):
         """A sheet of quads or triangles that share their edges; flat."""
         a, b = self.sides()
-        corner, n, m = self.vector(), self.rng.randint(1, 4), self.rng.randint(1, 4)
+        corner = self.vector()
+        n, m = (self.rng.randint(5, 20) if self.chance(0.1) else self.rng.randint(1, 4) for _ in range(2))
         vertices = [combine((1, corner), (i / n, a), (j / m, b)) for j in range(m + 1) for i in range(n + 1)]
         faces = []
         for j in range(m):
@@ -292,7 +293,7 @@ class Generator:
     def scene(self):
         """The text of the scene file; `files` holds the models, by name."""
         scene = {"camera": self.camera(), "screen": self.screen()}
-        lights = [self.light() for _ in range(self.rng.choice([0, 1, 1, 2, 2, 3, 6]))]
+        lights = [self.light() for _ in range(self.rng.choice([0, 1, 1, 1, 2, 2, 2, 3, 6, 20]))]
         self.materials = {self.word(): self.material() for _ in range(self.rng.randint(1, 5))}
         objects = [self.object() for _ in range(self.rng.choice([0, 1, 3, 5, 8, 12]))]
         if self.chance(0.5):
