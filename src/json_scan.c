@@ -12,7 +12,7 @@
 
 /* The text ends in a NUL, which no token accepts: no look-ahead needs a comparison with the end. */
 typedef struct Scan {
-    const char *at, *end;
+    const char *start, *at, *end;
     const char *open[JSON_MAX_DEPTH]; /* the brackets that are open */
     int depth;
     JsonFault fault;
@@ -28,18 +28,34 @@ static bool fault(Scan *scan, const char *place, const char *format, ...)
     return false;
 }
 
+/* The cure for what often stands where it may not. `start` is where the text begins. */
+static const char *cure_for(const char *start, const char *at)
+{
+    static const char *const curly[] = {"\xE2\x80\x9C", "\xE2\x80\x9D", "\xE2\x80\x9E", "\xE2\x80\x98", "\xE2\x80\x99"};
+    if (*at == '/')
+        return "; a comment is a string under the key \"//\"";
+    if (*at == '\'')
+        return "; JSON has double quotes only";
+    for (int i = 0; i < 5; i++)
+        if (strncmp(at, curly[i], 3) == 0)
+            return "; a word processor made that of a plain \"";
+    const char *before = at;
+    while (before > start && strchr(" \t\r\n", before[-1]))
+        before--;
+    return (*at == '}' || *at == ']') && before > start && before[-1] == ',' ? "; leave out the comma before it" : "";
+}
+
 /* "expected WHAT", and what stands there instead. */
 static bool fault_expected(Scan *scan, const char *what)
 {
     unsigned char c = (unsigned char)*scan->at;
+    int length = text_utf8_length(scan->at);
     if (scan->at == scan->end)
         return fault(scan, scan->at, "expected %s, but the file ends", what);
     if (c == 0)
         return fault(scan, scan->at, "a NUL byte; this is not a text file");
-    if (c == '/')
-        return fault(scan, scan->at, "expected %s, not '/'; a comment is a string under the key \"//\"", what);
-    if (c > 0x20 && c < 0x7F)
-        return fault(scan, scan->at, "expected %s, not '%c'", what, c);
+    if (c > 0x20 && c != 0x7F && length > 0)
+        return fault(scan, scan->at, "expected %s, not '%.*s'%s", what, length, scan->at, cure_for(scan->start, scan->at));
     return fault(scan, scan->at, "expected %s", what);
 }
 
@@ -215,9 +231,13 @@ static bool scan_after_value(Scan *scan, bool *more)
 
 JsonFault json_scan(const char *text, long length)
 {
-    Scan scan = {.at = text, .end = text + length};
+    Scan scan = {.start = text, .at = text, .end = text + length};
     if (strncmp(text, "\xEF\xBB\xBF", 3) == 0) {
         fault(&scan, text, "starts with a byte order mark; save it as UTF-8 without one");
+        return scan.fault;
+    }
+    if (text_is_utf16(text)) {
+        fault(&scan, text, "is UTF-16; save it as UTF-8");
         return scan.fault;
     }
     for (bool more = true; more && !scan.fault.place;) {

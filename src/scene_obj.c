@@ -134,10 +134,20 @@ static bool read_libraries(ObjReader *reader, char *rest)
     return true;
 }
 
+static bool is_continued(const char *line)
+{
+    size_t length = strlen(line);
+    return length > 0 && line[length - 1] == '\\';
+}
+
 static bool read_line(ObjReader *reader, char *line)
 {
     char *rest = line;
+    bool continued = is_continued(line);
     const char *key = word_next(&rest);
+    if (continued && (strcmp(key, "v") == 0 || strcmp(key, "f") == 0))
+        return word_fail(&reader->lines, reader->build->error,
+                         "the line goes on after its '\\', which is not supported; join it with the next one");
     if (strcmp(key, "v") == 0)
         return read_vertex(reader, rest);
     if (strcmp(key, "f") == 0)

@@ -118,6 +118,10 @@ char *text_next_line(TextLines *lines, Error *error)
     if (!stop) /* the last line, without an end */
         stop = lines->buffer + lines->end;
     lines->begin = (size_t)(stop - lines->buffer) + (stop < lines->buffer + lines->end);
+    if (lines->line == 1 && stop - line >= 2 && text_is_utf16(line)) {
+        error_set(error, ERROR_INPUT, "%s:1: is UTF-16; save it as UTF-8", lines->path);
+        return NULL;
+    }
     if (memchr(line, '\0', (size_t)(stop - line))) {
         error_set(error, ERROR_INPUT, "%s:%ld: a NUL byte; this is not a text file", lines->path, lines->line);
         return NULL;
@@ -190,6 +194,11 @@ int text_utf8_length(const char *c)
     bool surrogate = u[0] == 0xED && u[1] > 0x9F;
     bool beyond = u[0] == 0xF4 && u[1] > 0x8F;
     return overlong || surrogate || beyond ? 0 : length;
+}
+
+bool text_is_utf16(const char *text)
+{
+    return strncmp(text, "\xFF\xFE", 2) == 0 || strncmp(text, "\xFE\xFF", 2) == 0;
 }
 
 void text_make_utf8(char *text)

@@ -54,6 +54,9 @@ Quoted text_quote(const char *name);
 /* Bytes of the UTF-8 sequence at `c`; 0 if it is none (Unicode standard, table 3-7). */
 int text_utf8_length(const char *c);
 
+/* Whether a text begins with the byte order mark of UTF-16, as some editors' "Unicode" does. */
+bool text_is_utf16(const char *text);
+
 /* Replaces each byte that is no part of UTF-8 by '?': a file's name and a word of a model may be any bytes, but JSON, SVG
  * and terminals want UTF-8. */
 void text_make_utf8(char *text);

@@ -45,6 +45,7 @@ bool word_numbers(const TextLines *lines, char *rest, double *numbers, int room,
         if (*count == room)
             return word_fail(lines, error, "more than %d numbers", room);
         if (!text_number(word, &numbers[*count]))
-            return word_fail(lines, error, "%s is not a finite number", text_quote(word).text);
+            return word_fail(lines, error, "%s is not a finite number%s", text_quote(word).text,
+                             strchr(word, ',') ? "; write a point, not a comma" : "");
     }
 }
