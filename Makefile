@@ -61,7 +61,8 @@ $(FOUND):
 # --- The program ----------------------------------------------------------------------------------------------
 
 # The kernel sources in the order in which OpenCL compiles them, as one program.
-KERNELS := layout.h lanes.cl exact.cl geometry.cl trace.cl bundle.cl bvh.cl kdtree.cl walk.cl shade.cl render.cl
+KERNELS := layout.h lanes.cl exact.cl geometry.cl trace.cl bundle.cl bvh.cl kdtree.cl walk.cl shade.cl render.cl \
+    beam.cl adaptive.cl
 
 PROGRAM := $(BUILD)/rectray
 LIBRARY := $(BUILD)/librectray.a

@@ -16,6 +16,9 @@ typedef struct FaceRecord {
     int padding[2];
 } FaceRecord;
 
+/* A path has at most so many hits. */
+enum { PATH_MAX = 65 };
+
 /* What stays the same over a launch, but for the band. */
 typedef struct Parameters {
     int columns, rows;
@@ -26,7 +29,8 @@ typedef struct Parameters {
     int shadow_ambient; /* 1: a light's ambient term counts in its shadow too, and the path goes on */
     int viewer_ray;     /* 1: V points back along the ray */
     int ray_count;      /* cast only */
-    int padding;
+    int refine_first, refine_count; /* render_adaptive only: the stretch of the list of pixels that this launch refines */
+    int padding[3];
 } Parameters;
 
 /* The edge functions of a face: edge k has the moment v[k] x v[k+1] and the direction v[k+1] - v[k]. */
@@ -75,6 +79,7 @@ enum {
     VIEW_WIDTH = 12,
     VIEW_HEIGHT = 13,
     VIEW_BACKGROUND = 14, /* 3, RGB */
+    VIEW_BRIGHTEST = 17,  /* adaptive sampling: the most that a hit and all its mirror shows can add */
     VIEW_REALS = 20
 };
 

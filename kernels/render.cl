@@ -13,18 +13,50 @@ static WideVec view_vec(const Shading *s, int column)
 }
 
 /* The direction R = Q - C to sub-pixel (i, j) of each lane's pixel: see view_direction in geometry.c. */
-static WideVec view_direction(const Shading *s, Wide column, Wide row, int i, int j)
+static WideVec view_direction(const Shading *s, Wide column, Wide row, Wide i, Wide j)
 {
     constant const Parameters *p = s->parameters;
-    wide sub_column = (i + (wide)0.5) / p->grid, sub_row = (j + (wide)0.5) / p->grid;
+    Wide sub_column = (i + (wide)0.5) / (wide)p->grid, sub_row = (j + (wide)0.5) / (wide)p->grid;
     Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
     Wide y = ((wide)0.5 - (row + sub_row) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
     return wide_add(wide_add(view_vec(s, VIEW_FORWARD), wide_scale(x, view_vec(s, VIEW_RIGHT))),
                     wide_scale(y, view_vec(s, VIEW_UP)));
 }
 
+/* The faces that each lane's ray met, in order, kept for adaptive sampling: -1 where it left the scene, PATH_ENDED where its
+ * path had ended before. */
+#define PATH_ENDED -2
+
+#if ADAPTIVE
+#define TRACE NOINLINE /* called twice, but compiled once */
+
+typedef struct Path {
+    Mask faces[PATH_MAX];
+    int count;
+} Path;
+
+INLINE void path_add(Path *path, Mask faces, Mask active)
+{
+    if (path)
+        path->faces[path->count++] = active ? faces : (Mask)PATH_ENDED;
+}
+
+INLINE int path_face(const Path *path, int hit, int lane)
+{
+    MaskElement faces[LANES];
+    STORE(path->faces[hit], faces);
+    return (int)faces[lane];
+}
+#else
+#define TRACE static
+
+typedef int Path;
+
+INLINE void path_add(Path *path, Mask faces, Mask active) {}
+#endif
+
 /* The colours of one primary ray per lane: the hits' illuminations, each weighted by the mirrors before it. */
-static Vec trace_path(const Geometry *g, const Shading *s, Ray ray, Mask active, Counters *counters)
+TRACE Vec trace_path(const Geometry *g, const Shading *s, Ray ray, Mask active, Path *path, Counters *counters)
 {
     constant const Parameters *p = s->parameters;
     WideVec eye = ray.origin;
@@ -33,6 +65,7 @@ static Vec trace_path(const Geometry *g, const Shading *s, Ray ray, Mask active,
     Mask left = (Mask)-1;
     for (int bounces = 0;; bounces++) {
         Nearest nearest = find_nearest(g, s->tree, ray, active, left, bounces == 0, counters);
+        path_add(path, nearest.face, active);
         Mask missed = active & IS(nearest.face < (Mask)0);
         total = vec_select(missed, vec_add(total, vec_scale(weight, background)), total);
         active &= ~missed;
@@ -90,6 +123,15 @@ static void colour_to_bytes(Lanes c, int *bytes)
 }
 
 #ifdef LINEAR
+/* Puts the first lane's colour at that place of the picture. */
+static void store_pixel(global uchar *picture, int place, Vec colour)
+{
+    global real *out = (global real *)picture + (size_t)place * 3;
+    out[0] = first_lane(colour.x);
+    out[1] = first_lane(colour.y);
+    out[2] = first_lane(colour.z);
+}
+
 /* With this build option the picture is three reals a pixel, as they are, instead of three bytes. */
 static void store_tile(global uchar *picture, const Parameters *p, int first_column, int first_row, Vec colour)
 {
@@ -108,6 +150,18 @@ static void store_tile(global uchar *picture, const Parameters *p, int first_col
     }
 }
 #else
+static void store_pixel(global uchar *rgb, int place, Vec colour)
+{
+    int red[LANES], green[LANES], blue[LANES];
+    colour_to_bytes(colour.x, red);
+    colour_to_bytes(colour.y, green);
+    colour_to_bytes(colour.z, blue);
+    global uchar *out = rgb + (size_t)place * 3;
+    out[0] = (uchar)red[0];
+    out[1] = (uchar)green[0];
+    out[2] = (uchar)blue[0];
+}
+
 static void store_tile(global uchar *rgb, const Parameters *p, int first_column, int first_row, Vec colour)
 {
     int red[LANES], green[LANES], blue[LANES];
@@ -151,9 +205,9 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
     for (int j = 0; j < p.grid; j++)
         for (int i = 0; i < p.grid; i++) {
             Ray ray = {view_vec(&s, VIEW_EYE),
-                       view_direction(&s, MASK_TO_WIDE(column), MASK_TO_WIDE(row + p.first_row), i, j)};
+                       view_direction(&s, MASK_TO_WIDE(column), MASK_TO_WIDE(row + p.first_row), (Wide)i, (Wide)j)};
             counters.kinds[COUNT_PRIMARY] += mask_count(active);
-            sum = vec_add(sum, trace_path(&g, &s, ray, active, &counters));
+            sum = vec_add(sum, trace_path(&g, &s, ray, active, 0, &counters));
         }
     real samples = (real)p.grid * (real)p.grid;
     store_tile(rgb, &p, first_column, first_row, vec(sum.x / samples, sum.y / samples, sum.z / samples));

@@ -2,13 +2,12 @@
 #include "opencl.h"
 
 #include "light.h"
-#include "opencl_upload.h"
+#include "opencl_refine.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* PoCL compiles a kernel once more for launches of more than 65535 work-groups. */
-enum { BAND_BYTES = 32 << 20, BAND_ITEMS = 65535, FIRST_BAND_ROWS = 64 };
+enum { BAND_BYTES = 32 << 20, FIRST_BAND_ROWS = 64 };
 
 #define BAND_MS 50.0 /* a band should take about this long: progress is smooth, an interrupt is soon obeyed */
 
@@ -58,8 +57,10 @@ static bool read_band(OpenclSession *session, const Pixels *pixels, const Parame
     return true;
 }
 
+/* In an adaptive session the kernel renders the pixels' centres first, then those pixels that need more. */
 static bool render_bands(OpenclSession *session, const Scene *scene, const SceneOnDevice *on_device, cl_kernel kernel,
-                         const Pixels *pixels, int most_rows, BandSink sink, RenderReport *report, Error *error)
+                         const Refinement *refinement, const Pixels *pixels, int most_rows, BandSink sink, RenderReport *report,
+                         Error *error)
 {
     Parameters parameters = opencl_parameters(scene);
     size_t tiles_across = (size_t)((parameters.columns + session->tile_columns - 1) / session->tile_columns);
@@ -69,9 +70,13 @@ static bool render_bands(OpenclSession *session, const Scene *scene, const Scene
     for (int row = 0; row < parameters.rows; row += parameters.band_rows) {
         parameters.first_row = row;
         parameters.band_rows = band < parameters.rows - row ? band : parameters.rows - row;
+        parameters.grid = session->adaptive ? 1 : scene->grid;
         size_t tiles_down = (size_t)((parameters.band_rows + session->tile_rows - 1) / session->tile_rows);
         double before = report->trace_ms;
-        if (!opencl_launch(session, on_device, kernel, &parameters, tiles_across * tiles_down, report, error) ||
+        if (!opencl_launch(session, on_device, kernel, &parameters, tiles_across * tiles_down, report, error))
+            return false;
+        parameters.grid = scene->grid;
+        if ((session->adaptive && !opencl_refine(session, on_device, kernel, refinement, parameters, report, error)) ||
             !read_band(session, pixels, &parameters, report, error) ||
             !sink.band(sink.user, row, parameters.band_rows, pixels->rgb, report, error))
             return false;
@@ -80,13 +85,14 @@ static bool render_bands(OpenclSession *session, const Scene *scene, const Scene
     return true;
 }
 
-/* The most rows of a band: whole tiles of at most BAND_BYTES and BAND_ITEMS in all, at least one tile. */
+/* The most rows of a band: whole tiles of at most BAND_BYTES and OPENCL_MAX_ITEMS in all, at least one tile. */
 static int band_limit(const OpenclSession *session, const Scene *scene)
 {
-    int rows = BAND_BYTES / (scene->screen.columns * 3);
+    int pixel_bytes = session->adaptive ? 3 + REFINEMENT_BYTES : 3;
+    int rows = BAND_BYTES / (scene->screen.columns * pixel_bytes);
     int tiles_across = (scene->screen.columns + session->tile_columns - 1) / session->tile_columns;
-    if (rows > BAND_ITEMS / tiles_across * session->tile_rows)
-        rows = BAND_ITEMS / tiles_across * session->tile_rows;
+    if (rows > OPENCL_MAX_ITEMS / tiles_across * session->tile_rows)
+        rows = OPENCL_MAX_ITEMS / tiles_across * session->tile_rows;
     if (rows > scene->screen.rows)
         rows = scene->screen.rows;
     rows = (rows + session->tile_rows - 1) / session->tile_rows * session->tile_rows;
@@ -101,21 +107,27 @@ static bool render_session(OpenclSession *session, const Scene *scene, const Ren
         return false;
     int most_rows = band_limit(session, scene);
     size_t values = (size_t)most_rows * (size_t)scene->screen.columns * 3, bytes = values * value_bytes(session);
-    Pixels pixels = {.device = opencl_buffer(session, CL_MEM_WRITE_ONLY, bytes, NULL, error),
+    Pixels pixels = {.device = opencl_buffer(session, CL_MEM_READ_WRITE, bytes, NULL, error),
                      .linear = settings->linear};
     if (!pixels.device)
         return false;
     pixels.read = malloc(bytes);
     pixels.rgb = session->linear ? malloc(values) : pixels.read;
-    bool ok = (pixels.read && pixels.rgb) || error_memory(error, "a band of the picture");
-    cl_mem arguments[] = {on_device.parameters, on_device.faces,       on_device.edges,    on_device.planes,
-                          on_device.materials,  on_device.lights,      on_device.view,     pixels.device,
-                          on_device.counters,   on_device.tree_floats, on_device.tree_ints};
-    cl_kernel kernel =
-        ok ? opencl_kernel(session, "render", arguments, sizeof arguments / sizeof arguments[0], error) : NULL;
-    ok = kernel && render_bands(session, scene, &on_device, kernel, &pixels, most_rows, sink, report, error);
+    Refinement refinement = {0};
+    bool ok = ((pixels.read && pixels.rgb) || error_memory(error, "a band of the picture")) &&
+              (!session->adaptive || opencl_refinement(&refinement, session, values / 3, error));
+    /* The last two are for render_adaptive only. */
+    cl_mem arguments[] = {on_device.parameters, on_device.faces,       on_device.edges,     on_device.planes,
+                          on_device.materials,  on_device.lights,      on_device.view,      pixels.device,
+                          on_device.counters,   on_device.tree_floats, on_device.tree_ints, refinement.flags,
+                          refinement.list};
+    int argument_count = (int)(sizeof arguments / sizeof arguments[0]) - (session->adaptive ? 0 : 2);
+    const char *name = session->adaptive ? "render_adaptive" : "render";
+    cl_kernel kernel = ok ? opencl_kernel(session, name, arguments, argument_count, error) : NULL;
+    ok = kernel && render_bands(session, scene, &on_device, kernel, &refinement, &pixels, most_rows, sink, report, error);
     if (kernel)
         clReleaseKernel(kernel);
+    opencl_refinement_free(&refinement);
     if (session->linear)
         free(pixels.rgb);
     free(pixels.read);
@@ -126,7 +138,7 @@ bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink 
                    Error *error)
 {
     memset(report, 0, sizeof *report);
-    OpenclSession session = {.linear = settings->linear != NULL};
+    OpenclSession session = {.linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
     bool ok = render_session(&session, scene, settings, sink, report, error);
     opencl_close(&session);
     return ok;

@@ -89,6 +89,8 @@ static void write_options(const OpenclSession *session, TreeOptions tree, Render
              session->tile_rows, accel, tree.node_width, tree.stack_size, (int)sizeof(FaceRecord), (int)sizeof(Parameters));
     if (session->linear)
         strncat(report->build_options, " -DLINEAR=1", sizeof report->build_options - strlen(report->build_options) - 1);
+    if (session->adaptive)
+        strncat(report->build_options, " -DADAPTIVE=1", sizeof report->build_options - strlen(report->build_options) - 1);
 }
 
 static CacheKey key_of(const OpenclSession *session, const Sources *sources, const char *name, const char *options)

@@ -5,7 +5,8 @@
 #include "opencl_cache.h"
 #include "opencl_device.h"
 
-enum { OPENCL_MAX_BUFFERS = 16 };
+/* PoCL compiles a kernel once more for launches of more than 65535 work-groups. */
+enum { OPENCL_MAX_BUFFERS = 16, OPENCL_MAX_ITEMS = 65535 };
 
 /* Zero it, open it, build its kernels, close it; the buffers made with it are freed with it. */
 typedef struct OpenclSession {
@@ -13,6 +14,7 @@ typedef struct OpenclSession {
     Precision precision;
     int lanes, tile_columns, tile_rows;
     bool wide_is_double; /* t comes back as double */
+    bool adaptive;       /* the kernels are to hold those of adaptive sampling */
     bool linear;         /* pixels come back as three reals, not clamped, instead of three bytes */
     cl_device_id device;
     cl_context context;

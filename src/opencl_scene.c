@@ -1,10 +1,14 @@
 /* A scene as the kernels want it. Every value is computed in double and rounded once. */
 #include "opencl_scene.h"
 
+#include "adaptive.h"
 #include "geometry.h"
 
 #include <float.h>
 #include <stdlib.h>
+
+/* The longest path has its place on the device. */
+typedef char PathMaxIsTheScenes[PATH_MAX == SCENE_MAX_BOUNCES + 1 ? 1 : -1];
 
 size_t reals_bytes(const Reals *reals)
 {
@@ -139,6 +143,7 @@ static void pack_view(Reals *reals, const Scene *scene)
     put_view(reals, VIEW_UP, view.up);
     put_view(reals, VIEW_WIDTH, vec3(view.width, view.height, 0));
     put_view(reals, VIEW_BACKGROUND, scene->shading.background);
+    put_view(reals, VIEW_BRIGHTEST, vec3(adaptive_brightest(scene), 0, 0));
 }
 
 bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Precision wide,

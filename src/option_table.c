@@ -138,7 +138,24 @@ static bool set_format(Options *o, const char *value)
 
 static bool set_grid(Options *o, const char *value)
 {
+    o->sampling = SAMPLING_UNIFORM;
     return read_int(value, 1, SCENE_MAX_GRID, '\0', &o->grid);
+}
+
+/* "uniform" or "adaptive", and perhaps ":N". */
+static bool set_sampling(Options *o, const char *value)
+{
+    static const char *const words[] = {"uniform", "adaptive"};
+    for (int i = 0; i < 2; i++) {
+        size_t length = strlen(words[i]);
+        if (strncmp(value, words[i], length) != 0)
+            continue;
+        o->sampling = i == 0 ? SAMPLING_UNIFORM : SAMPLING_ADAPTIVE;
+        o->grid = i == 0 ? 0 : SCENE_ADAPTIVE_GRID;
+        return value[length] == '\0' ||
+               (value[length] == ':' && read_int(value + length + 1, 1, SCENE_MAX_GRID, '\0', &o->grid));
+    }
+    return false;
 }
 
 static bool set_bounces(Options *o, const char *value)
@@ -246,6 +263,8 @@ const Option option_table[] = {
      "pixels of the picture, instead of the scene's"},
     {"grid", 'g', "N", "render trace bench", set_grid, "a whole number from 1 to 16",
      "N x N rays per pixel, instead of the scene's"},
+    {"sampling", 0, "HOW", "render trace", set_sampling, "uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16",
+     "uniform:N as --grid; adaptive[:N]: N x N (8 x 8) rays only where needed"},
     {"bounces", 0, "N", "render trace", set_bounces, "a whole number from 0 to 64",
      "at most N reflected rays in a row, instead of the scene's"},
     {"size", 0, "N", "generate", set_scene_size, "a whole number from 1 to 1000000",

@@ -11,6 +11,9 @@ enum { MAX_OPERANDS = 16 };
 /* What a walkthrough can be printed as; the words are in option_table.c. */
 typedef enum WalkFormat { WALK_TEXT, WALK_JSON, WALK_OBJ, WALK_SVG } WalkFormat;
 
+/* Whether each pixel gets the whole grid, or only where it needs it. */
+typedef enum SamplingChoice { SAMPLING_OF_SCENE, SAMPLING_UNIFORM, SAMPLING_ADAPTIVE } SamplingChoice;
+
 /* What the user asked for. The strings are those of argv. */
 typedef struct Options {
     const char *operands[MAX_OPERANDS]; /* scenes, the pictures to compare, a kind of scene */
@@ -23,6 +26,7 @@ typedef struct Options {
     RenderSettings settings;
     int columns, rows; /* 0: as the scene says, as is grid */
     int grid;
+    SamplingChoice sampling;
     int bounces;          /* -1: as the scene says */
     int tolerance;        /* of 255 */
     int repeats;          /* of a measurement; 0: not given */

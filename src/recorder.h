@@ -1,15 +1,17 @@
 /* The walkthrough as data: the events that the reference tracer tells while it traces one pixel.
  * The tracer knows no format; text, JSON, OBJ and SVG are made from these events elsewhere. A NULL recorder
  * is silent and costs one comparison. To add an event: a kind here, a struct in the union, one call in
- * reference.c, and a case in every format. Floor 3. */
+ * reference.c, and a case in every format. Floor 4. */
 #ifndef RECTRAY_RECORDER_H
 #define RECTRAY_RECORDER_H
 
+#include "adaptive.h"
 #include "geometry.h"
 #include "light.h"
 #include "walk.h"
 
 typedef enum EventKind {
+    EVENT_ADAPTIVE,     /* adaptive sampling has judged the pixel */
     EVENT_SAMPLE,       /* a primary ray starts */
     EVENT_FACE,         /* a face was tested against the current ray */
     EVENT_NODE,         /* a node of a tree was met */
@@ -39,6 +41,7 @@ typedef enum PathEnd {
 typedef struct Event {
     EventKind kind;
     union {
+        AdaptiveVerdict adaptive;
         struct { int column, row, i, j; ScreenPoint at; Vec3 c, q, r; } sample; /* C, Q, R */
         struct { int face; FaceTest test; double nearest_t; } face; /* nearest_t: of the faces before, HUGE_VAL if none */
         WalkNode node;

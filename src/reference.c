@@ -218,6 +218,8 @@ static Vec3 trace_path(const Tracer *tracer, Ray ray)
     int left = -1; /* the face that the ray leaves */
     for (int bounces = 0;; bounces++) {
         Hit hit = nearest_hit(tracer, ray, left);
+        if (tracer->path)
+            tracer->path->faces[tracer->path->count++] = hit.face;
         if (hit.face < 0) {
             Vec3 seen = vec3_scale(weight, scene->shading.background);
             total = vec3_add(total, seen);
@@ -247,31 +249,64 @@ static Vec3 trace_path(const Tracer *tracer, Ray ray)
     }
 }
 
-Vec3 reference_sample(const Tracer *tracer, int column, int row, int i, int j)
+/* The sample of a grid of grid x grid. */
+static Vec3 trace_sample(const Tracer *tracer, int grid, int column, int row, int i, int j)
 {
     View view = view_of(tracer->scene);
+    view.grid = grid;
     Ray ray = {view.eye, view_direction(&view, column, row, i, j)};
+    if (tracer->path)
+        tracer->path->count = 0;
     tracer->report->rays.primary++;
     TELL(tracer, EVENT_SAMPLE, .as.sample = {column, row, i, j, view_screen_point(&view, column, row, i, j), ray.origin,
                                              vec3_add(ray.origin, ray.direction), ray.direction});
     return trace_path(tracer, ray);
 }
 
+Vec3 reference_sample(const Tracer *tracer, int column, int row, int i, int j)
+{
+    return trace_sample(tracer, tracer->scene->grid, column, row, i, j);
+}
+
 static Vec3 clamped(Vec3 c) { return vec3(fmin(fmax(c.x, 0), 1), fmin(fmax(c.y, 0), 1), fmin(fmax(c.z, 0), 1)); }
+
+/* The average of a grid of samples. */
+static Vec3 trace_grid(const Tracer *tracer, int grid, int column, int row)
+{
+    Vec3 sum = {0, 0, 0};
+    for (int j = 0; j < grid; j++)
+        for (int i = 0; i < grid; i++)
+            sum = vec3_add(sum, trace_sample(tracer, grid, column, row, i, j));
+    double samples = (double)grid * grid;
+    Vec3 average = vec3(sum.x / samples, sum.y / samples, sum.z / samples);
+    TELL(tracer, EVENT_PIXEL, .as.pixel = {sum, average, clamped(average), grid * grid,
+                                           {colour_to_byte(average.x), colour_to_byte(average.y),
+                                            colour_to_byte(average.z)}});
+    return average;
+}
+
+/* Adaptive sampling: the centre's colour where its path is the whole pixel's; else the grid's. */
+static Vec3 trace_adaptive(const Tracer *tracer, int column, int row)
+{
+    Path path;
+    Tracer silent = *tracer;
+    silent.recorder = NULL;
+    silent.path = &path;
+    Vec3 centre = trace_grid(&silent, 1, column, row);
+    AdaptiveVerdict verdict = adaptive_judge(tracer->scene, tracer->accel, &path, column, row, tracer->report);
+    TELL(tracer, EVENT_ADAPTIVE, .as.adaptive = verdict);
+    bool refine = verdict.reason != ADAPTIVE_SAME;
+    tracer->report->refined_pixels += refine;
+    if (!refine && !tracer->recorder)
+        return centre;
+    return trace_grid(tracer, refine ? tracer->scene->grid : 1, column, row);
+}
 
 Vec3 reference_pixel(const Tracer *tracer, int column, int row)
 {
     const Scene *scene = tracer->scene;
-    Vec3 sum = {0, 0, 0};
-    for (int j = 0; j < scene->grid; j++)
-        for (int i = 0; i < scene->grid; i++)
-            sum = vec3_add(sum, reference_sample(tracer, column, row, i, j));
-    double samples = (double)scene->grid * scene->grid;
-    Vec3 average = vec3(sum.x / samples, sum.y / samples, sum.z / samples);
-    TELL(tracer, EVENT_PIXEL, .as.pixel = {sum, average, clamped(average), scene->grid * scene->grid,
-                                           {colour_to_byte(average.x), colour_to_byte(average.y),
-                                            colour_to_byte(average.z)}});
-    return average;
+    return scene->adaptive && scene->grid > 1 ? trace_adaptive(tracer, column, row)
+                                              : trace_grid(tracer, scene->grid, column, row);
 }
 
 CastHit reference_nearest(const Tracer *tracer, Ray ray, int skip)

@@ -4,6 +4,7 @@
 #define RECTRAY_REFERENCE_H
 
 #include "accel.h"
+#include "adaptive.h"
 #include "geometry.h"
 #include "recorder.h"
 #include "render.h"
@@ -15,9 +16,10 @@ typedef struct Tracer {
     const Accel *accel;       /* NULL: every face is tested, in file order */
     RenderReport *report;     /* counts are added to it */
     const Recorder *recorder; /* NULL: silent */
+    Path *path;               /* gets the faces of each sample's path; NULL: not wanted */
 } Tracer;
 
-/* The colour of one pixel (RGB, linear, averaged over its samples, not clamped). column in [0, columns), row in [0, rows),
+/* The colour of one pixel (RGB, linear, averaged over the samples that it gets, not clamped). column in [0, columns), row in [0, rows),
  * row 0 at the top. */
 Vec3 reference_pixel(const Tracer *tracer, int column, int row);
 

@@ -42,6 +42,7 @@ typedef struct RenderReport {
     double readback_ms;
     RayCounts rays;
     uint64_t box_tests, face_tests;
+    uint64_t refined_pixels; /* by adaptive sampling: those that got the whole grid */
     uint64_t skipped_light_behind; /* shadow rays not cast since N.L <= 0 */
     int lanes, threads;
     AccelKind accel;         /* the one used */

@@ -7,10 +7,13 @@
 #include "error.h"
 #include "vec3.h"
 
+#include <stdbool.h>
+
 enum {
     SCENE_MAX_PIXELS = 16384, /* columns, rows */
     SCENE_MAX_BOUNCES = 64,
     SCENE_MAX_GRID = 16,
+    SCENE_ADAPTIVE_GRID = 8, /* where adaptive sampling is asked for without a number */
 };
 
 /* Colours may exceed 1, but the product of two of them must stay within a float. */
@@ -90,7 +93,8 @@ typedef struct Scene {
     Plane *planes;  /* one per face */
     Vec3 centre;    /* world position = scene position + centre */
     Shading shading;
-    int grid;       /* n x n rays per pixel */
+    int grid;       /* n x n rays per pixel, */
+    bool adaptive;  /* or, where one ray through its centre is enough for a pixel, that ray alone: adaptive.h */
 } Scene;
 
 /* Frees all that the scene owns and zeroes it; a zeroed scene may be freed again. */

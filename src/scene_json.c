@@ -151,12 +151,21 @@ static bool read_shading(const Json *json, const cJSON *item, Shading *shading)
     return true;
 }
 
-static bool read_sampling(const Json *json, const cJSON *item, int *grid)
+static bool read_sampling(const Json *json, const cJSON *item, Scene *scene)
 {
-    JsonMember keys[] = {{.name = "grid"}};
-    *grid = 1;
-    return !item || (json_members(json, item, keys, JSON_COUNT(keys)) &&
-                     (!keys[0].item || json_integer(json, keys[0].item, 1, SCENE_MAX_GRID, grid)));
+    JsonMember keys[] = {{.name = "grid"}, {.name = "adaptive"}};
+    scene->grid = 1;
+    if (!item)
+        return true;
+    if (!json_members(json, item, keys, JSON_COUNT(keys)))
+        return false;
+    const cJSON *grid = keys[0].item, *adaptive = keys[1].item;
+    if (grid && adaptive)
+        return json_fail(json, adaptive, "\"grid\" and \"adaptive\" exclude each other: every pixel gets the grid, or only "
+                                         "those that need it");
+    scene->adaptive = adaptive != NULL;
+    const cJSON *finest = grid ? grid : adaptive;
+    return !finest || json_integer(json, finest, 1, SCENE_MAX_GRID, &scene->grid);
 }
 
 enum { CAMERA, SCREEN, LIGHTS, MATERIALS, OBJECTS, SHADING, SAMPLING, SCENE_KEYS };
@@ -187,7 +196,7 @@ static bool read_scene(const Json *json, Scene *scene, SceneBuild *build)
         !read_materials(json, keys[MATERIALS].item, build) ||
         (keys[OBJECTS].item && !objects_read(json, keys[OBJECTS].item, build)) ||
         !read_shading(json, keys[SHADING].item, &scene->shading) ||
-        !read_sampling(json, keys[SAMPLING].item, &scene->grid))
+        !read_sampling(json, keys[SAMPLING].item, scene))
         return false;
     return build_finish(build) || fail_finish(json, keys, build);
 }

@@ -9,6 +9,8 @@ void scene_override(Scene *scene, const Options *options)
     }
     if (options->grid > 0)
         scene->grid = options->grid;
+    if (options->sampling != SAMPLING_OF_SCENE)
+        scene->adaptive = options->sampling == SAMPLING_ADAPTIVE;
     if (options->bounces >= 0)
         scene->shading.max_bounces = options->bounces;
 }

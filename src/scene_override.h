@@ -1,4 +1,4 @@
-/* What the command line says instead of the scene: --size, --grid, --bounces. Floor 5. */
+/* What the command line says instead of the scene: --size, --grid, --sampling, --bounces. Floor 5. */
 #ifndef RECTRAY_SCENE_OVERRIDE_H
 #define RECTRAY_SCENE_OVERRIDE_H
 

@@ -17,7 +17,7 @@ typedef struct Count {
     uint64_t count;
 } Count;
 
-enum { PHASES = 9, COUNTS = 6 };
+enum { PHASES = 9, COUNTS = 7 };
 
 typedef struct Lists {
     Phase phases[PHASES];
@@ -41,6 +41,7 @@ static Lists lists_of(const Stats *stats)
                    {"rays", "shadow", "shadow rays", report->rays.shadow},
                    {"rays", "reflection", "reflected rays", report->rays.reflection},
                    {"skipped", "light_behind_face", "skipped: light behind", report->skipped_light_behind},
+                   {"pixels", "refined", "refined pixels", report->refined_pixels},
                    {"tests", "box", "box tests", report->box_tests},
                    {"tests", "face", "face tests", report->face_tests}},
     };

@@ -9,6 +9,7 @@
 const char *const walk_face_verdicts[] = {"parallel", "behind", "back", "farther", "outside", "inside", "left"};
 const char *const walk_light_verdicts[] = {"behind face", "blocked", "reaches"};
 const char *const walk_path_ends[] = {"missed", "in shadow", "not a mirror", "max bounces"};
+const char *const walk_adaptive_reasons[] = {"same", "edge", "face", "shadow", "highlight"};
 
 /* --- Recording --- */
 
@@ -104,10 +105,15 @@ static bool is_told(const WalkRequest *request, const Event *sample)
 static void record(void *user, const Event *event)
 {
     Walkthrough *walk = user;
-    const WalkRequest *request = &walk->request;
+    WalkRequest *request = &walk->request;
+    if (event->kind == EVENT_ADAPTIVE && event->as.adaptive.reason == ADAPTIVE_SAME) {
+        walk->grid = 1;
+        request->i = request->j = 0;
+    }
     if (event->kind == EVENT_SAMPLE)
         walk->telling = is_told(request, event);
-    bool always = event->kind == EVENT_SAMPLE || event->kind == EVENT_PATH_END || event->kind == EVENT_PIXEL;
+    bool always = event->kind == EVENT_ADAPTIVE || event->kind == EVENT_SAMPLE ||
+                  event->kind == EVENT_PATH_END || event->kind == EVENT_PIXEL;
     if (!walk->telling && !always)
         return;
     if (event->kind == EVENT_NODE) {
@@ -127,7 +133,7 @@ static void record(void *user, const Event *event)
 bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *accel, const char *scene_name,
                         WalkRequest request, Error *error)
 {
-    *walk = (Walkthrough){.scene = scene, .scene_name = scene_name, .request = request, .tally = -1};
+    *walk = (Walkthrough){.scene = scene, .scene_name = scene_name, .request = request, .grid = scene->grid, .tally = -1};
     RenderReport report = {0};
     Recorder recorder = {record, walk};
     Tracer tracer = {.scene = scene, .accel = accel, .report = &report, .recorder = &recorder};

@@ -25,6 +25,7 @@ typedef struct Walkthrough {
     const Scene *scene;     /* borrowed */
     const char *scene_name; /* borrowed; as the user gave it */
     WalkRequest request;
+    int grid;               /* the pixel has grid x grid samples: under adaptive sampling, one may be enough */
     Event *events;
     long count, capacity;
     /* While recording: */
@@ -80,5 +81,6 @@ double walk_scene_size(const Scene *scene);
 extern const char *const walk_face_verdicts[];
 extern const char *const walk_light_verdicts[];
 extern const char *const walk_path_ends[];
+extern const char *const walk_adaptive_reasons[];
 
 #endif

@@ -37,7 +37,8 @@ static cJSON *scene_json(const Walkthrough *walk, bool *failed)
     node_number(node, "rows", view.rows);
     node_number(node, "width", view.width);
     node_number(node, "height", view.height);
-    node_number(node, "grid", view.grid);
+    node_number(node, "grid", walk->grid);
+    node_bool(node, "adaptive", scene->adaptive);
     node_vector(node, "camera", walk_world(scene, view.eye));
     node_vector(node, "distance_f", view.forward);
     node_vector(node, "r", view.right);

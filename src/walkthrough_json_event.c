@@ -32,6 +32,20 @@ static void put_test(Node node, const FaceTest *test)
         node_number(node, "outside_edge", test->outside_edge);
 }
 
+static void put_adaptive(Node node, const Scene *scene, const AdaptiveVerdict *verdict)
+{
+    AdaptiveReason reason = verdict->reason;
+    node_bool(node, "refined", reason != ADAPTIVE_SAME);
+    node_text(node, "reason", walk_adaptive_reasons[reason]);
+    if (reason == ADAPTIVE_SAME)
+        return;
+    node_number(node, "step", verdict->hit + 1);
+    if (reason == ADAPTIVE_SHADOW || reason == ADAPTIVE_HIGHLIGHT)
+        node_number(node, "light", verdict->light);
+    if (reason != ADAPTIVE_HIGHLIGHT)
+        put_face(node, scene, verdict->face);
+}
+
 static void put_tally(Node node, const Event *event)
 {
     node_text(node, "ray", event->as.tally.shadow ? "shadow" : "path");
@@ -164,7 +178,7 @@ static void put_pixel(Node node, const Event *event)
 
 /* --- All of them --- */
 
-static const char *const kinds[EVENT_KIND_COUNT] = {"sample",    "face",     "node",      "hit",   "miss",
+static const char *const kinds[EVENT_KIND_COUNT] = {"adaptive",  "sample",   "face",     "node",      "hit",   "miss",
                                                     "light",     "occluder", "light end", "terms", "shaded",
                                                     "reflected", "path end", "pixel",     "tally"};
 
@@ -174,6 +188,9 @@ cJSON *walk_event_json(const Walkthrough *walk, const WalkPlace *place, const Ev
     Node node = node_new(failed);
     node_text(node, "event", kinds[event->kind]);
     switch (event->kind) {
+    case EVENT_ADAPTIVE:
+        put_adaptive(node, scene, &event->as.adaptive);
+        break;
     case EVENT_SAMPLE:
         put_sample(node, scene, place, event);
         break;

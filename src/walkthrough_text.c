@@ -48,6 +48,36 @@ static int place_digits(const Scene *scene)
 
 /* --- The beginning --- */
 
+/* Why adaptive sampling gives the pixel one sample, or many. */
+static void print_verdict(const TextWalk *text, const AdaptiveVerdict *verdict)
+{
+    const Scene *scene = text->walk->scene;
+    InkText face = verdict->reason == ADAPTIVE_SAME || verdict->reason == ADAPTIVE_HIGHLIGHT
+                       ? ink_text("%s", "")
+                       : text_face(scene, verdict->face, 40);
+    InkText why;
+    int hit = verdict->hit + 1, light = verdict->light;
+    switch (verdict->reason) {
+    case ADAPTIVE_SAME:
+        ink_paragraph(&text->ink, "Sampling is adaptive: all rays of this pixel meet the same faces and the same lights as "
+                                  "the one through its centre, which alone makes the pixel.");
+        return;
+    case ADAPTIVE_EDGE:
+        why = ink_text("an edge of the face %s, which the centre meets at P%d, may cross it", face.text, hit);
+        break;
+    case ADAPTIVE_FACE:
+        why = ink_text("another face, %s, may show in it, which the centre passes before P%d", face.text, hit);
+        break;
+    case ADAPTIVE_SHADOW:
+        why = ink_text("at P%d the shadow of %s in light %d may end in it", hit, face.text, light);
+        break;
+    default:
+        why = ink_text("at P%d the brightness by light %d changes unevenly over it", hit, light);
+    }
+    ink_paragraph(&text->ink, "Sampling is adaptive, and this pixel needs more than the ray through its centre: %s.",
+                  why.text);
+}
+
 static void print_head(const TextWalk *text)
 {
     const Walkthrough *walk = text->walk;
@@ -62,11 +92,13 @@ static void print_head(const TextWalk *text)
         "counted from 0. The scene holds %d face%s and %d light%s.",
         scene->screen.columns, scene->screen.rows, request->column, request->row, scene->face_count,
         scene->face_count == 1 ? "" : "s", scene->light_count, scene->light_count == 1 ? "" : "s");
-    if (scene->grid > 1)
+    if (walk->count > 0 && walk->events[0].kind == EVENT_ADAPTIVE)
+        print_verdict(text, &walk->events[0].as.adaptive);
+    if (walk->grid > 1)
         ink_paragraph(ink,
                       "The pixel is the average of %d x %d samples. Told in full is sample (%d, %d), in column %d and "
                       "row %d of the grid inside the pixel; --sample I,J tells another.",
-                      scene->grid, scene->grid, request->i, request->j, request->i, request->j);
+                      walk->grid, walk->grid, request->i, request->j, request->i, request->j);
     Vec3 c = scene->centre;
     if (c.x != 0 || c.y != 0 || c.z != 0)
         ink_paragraph(ink,
@@ -79,7 +111,7 @@ static void print_sample(TextWalk *text, const Event *event)
 {
     const Scene *scene = text->walk->scene;
     View view = view_of(scene);
-    int i = event->as.sample.i, j = event->as.sample.j, n = scene->grid;
+    int i = event->as.sample.i, j = event->as.sample.j, n = text->walk->grid;
     ScreenPoint at = event->as.sample.at;
     InkText half = n == 1 ? ink_text("0.5") : ink_text("(i + 0.5)/%d", n);
     InkText half_row = n == 1 ? half : ink_text("(j + 0.5)/%d", n);
@@ -170,6 +202,8 @@ static void print_next_face(TextWalk *text, int number)
 static void print_event(TextWalk *text, const Event *event)
 {
     switch (event->kind) {
+    case EVENT_ADAPTIVE: /* told at the head */
+        break;
     case EVENT_SAMPLE:
         print_sample(text, event), print_next_face(text, 1);
         break;

@@ -47,7 +47,7 @@ static void print_samples(const TextWalk *text)
 {
     enum { SHORT_LIST = 16 };
     const Walkthrough *walk = text->walk;
-    int n = walk->scene->grid, count = 0;
+    int n = walk->grid, count = 0;
     bool list = n * n <= SHORT_LIST || walk->request.verbose;
     ink_line(&text->ink, "\n    That is sample (%d, %d).%s", walk->request.i, walk->request.j,
              list ? " All samples, each found in the same way:\n"

@@ -74,6 +74,17 @@ class Render(CommandTest):
         stats = json.loads(self.render("--size", "3x5", "--grid", "4", "--stats=json")[0])
         self.assertEqual(stats["rays"]["primary"], 3 * 5 * 16)
 
+    def test_adaptive_sampling_is_chosen_by_the_scene_or_the_command_line(self):
+        def refined(*words):
+            stats = json.loads(self.render("--size", "3x5", *words, "--stats=json")[0])
+            return stats["rays"]["primary"], stats["pixels"]["refined"]
+        rays, pixels = refined("--sampling", "adaptive:3")
+        self.assertTrue(0 < pixels)
+        self.assertEqual(rays, 15 + 9 * pixels)
+        self.assertEqual(refined("--sampling", "adaptive"), (15 + 64 * pixels, pixels))
+        self.assertEqual(refined("--sampling", "adaptive:3", "--grid", "2"), (60, 0))
+        self.assertEqual(refined("--grid", "2", "--sampling", "uniform:1"), (15, 0))
+
     def test_quiet_says_nothing(self):
         self.assertEqual(self.render("-q"), (b"", ""))
 
@@ -83,7 +94,7 @@ class Render(CommandTest):
         self.assertNotIn("note", self.render("--precision", "double")[1])
 
     def test_stats_go_to_stdout_or_where_the_picture_does_not(self):
-        keys = ["phases_ms", "rays", "skipped", "tests", "faces", "lights", "device", "backend", "precision", "lanes",
+        keys = ["phases_ms", "rays", "skipped", "pixels", "tests", "faces", "lights", "device", "backend", "precision", "lanes",
                 "accel", "build_options", "peak_memory_bytes"]
         stats = json.loads(self.render("--stats=json")[0])
         self.assertEqual(sorted(stats), sorted(keys))

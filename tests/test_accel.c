@@ -43,9 +43,9 @@ static void compare_nearest(const Scene *scene)
         int skip = i % 3 == 0 ? (int)(random_next(&state) % (uint64_t)scene->face_count) : -1;
         snprintf(told, sizeof told, "ray %d from %a %a %a along %a %a %a", i, ray.origin.x, ray.origin.y, ray.origin.z,
                  ray.direction.x, ray.direction.y, ray.direction.z);
-        CastHit expected = reference_nearest(&(Tracer){scene, NULL, &report, NULL}, ray, skip);
+        CastHit expected = reference_nearest(&(Tracer){.scene = scene, .report = &report}, ray, skip);
         for (int k = 0; k < 2; k++) {
-            CastHit actual = reference_nearest(&(Tracer){scene, &trees[k], &report, NULL}, ray, skip);
+            CastHit actual = reference_nearest(&(Tracer){.scene = scene, .accel = &trees[k], .report = &report}, ray, skip);
             TEST_ASSERT_TRUE_MESSAGE(same_hit(expected, actual), told);
         }
     }
@@ -209,7 +209,7 @@ static void recorder_should_hear_of_each_node_and_face(void)
         Accel accel = tree_of(&scene, TREES[i]);
         RenderReport report = {.lanes = 1};
         Heard heard = {.nodes = 0};
-        Tracer tracer = {&scene, &accel, &report, &(Recorder){hear, &heard}};
+        Tracer tracer = {.scene = &scene, .accel = &accel, .report = &report, .recorder = &(Recorder){hear, &heard}};
         CastHit hit = reference_nearest(&tracer, (Ray){vec3(0.25, -5.75, 9), vec3(0, 0, -1)}, -1);
         TEST_ASSERT_TRUE(hit.t == 9);
         TEST_ASSERT_EQUAL_INT(report.box_tests, heard.nodes);

@@ -81,7 +81,7 @@ static Vec3 random_lattice(double step, int range)
 static void trace_with_the_reference(void)
 {
     RenderReport report = {0};
-    const Tracer tracer = {&small.scene, NULL, &report, NULL};
+    const Tracer tracer = {.scene = &small.scene, .report = &report};
     for (int i = 0; i < ray_count; i++) {
         const double *r = rays[i];
         expected[i] = reference_nearest(&tracer, (Ray){vec3(r[0], r[1], r[2]), vec3(r[3], r[4], r[5])}, -1);

@@ -80,7 +80,7 @@ static void pixels_match(void)
     for (int row = 0; row < scene.screen.rows; row++)
         for (int column = 0; column < scene.screen.columns; column++) {
             Expected expected = closed_form(column, row);
-            Vec3 colour = reference_pixel(&(Tracer){&scene, NULL, &report, NULL}, column, row);
+            Vec3 colour = reference_pixel(&(Tracer){.scene = &scene, .report = &report}, column, row);
             near_edge += expected.near_edge;
             if (!expected.near_edge)
                 worst = fmax(worst, largest_difference(colour, expected.colour));
@@ -113,7 +113,7 @@ static void straight_into_a_mirror_the_series_should_reach_its_limit(void)
     }
     RenderReport report = {0};
     Vec3 limit = vec3_scale(1 / (1 - Q * Q), vec3_add(RIGHT, vec3_scale(Q, LEFT)));
-    Vec3 colour = reference_pixel(&(Tracer){&scene, NULL, &report, NULL}, scene.screen.columns / 2, scene.screen.rows / 2);
+    Vec3 colour = reference_pixel(&(Tracer){.scene = &scene, .report = &report}, scene.screen.columns / 2, scene.screen.rows / 2);
     TEST_ASSERT_EQUAL_UINT64(64, report.rays.reflection);
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0, largest_difference(colour, limit));
 }

@@ -137,6 +137,9 @@ static void options_should_refuse_what_only_begins_like_a_number(void)
 static void options_should_name_a_missing_value(void)
 {
     assert_refused("render a --size", "--size needs a value: two whole numbers from 1 to 16384, such as 640x480");
+    assert_refused("render a --sampling adaptive:17", "--sampling 'adaptive:17': expected uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16");
+    assert_refused("render a --sampling uniform:", "--sampling 'uniform:': expected uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16");
+    assert_refused("render a --sampling adapt", "--sampling 'adapt': expected uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16");
     assert_refused("render a -o", "--output needs a value: the name of a file, or - for standard output");
     assert_refused("render a --quiet=1", "--quiet takes no value");
 }

@@ -47,7 +47,7 @@ static Vec3 pixel(void)
 {
     kept_count = 0;
     report = (RenderReport){0};
-    return reference_pixel(&(Tracer){&small.scene, NULL, &report, &recorder}, 0, 0);
+    return reference_pixel(&(Tracer){.scene = &small.scene, .report = &report, .recorder = &recorder}, 0, 0);
 }
 
 static PathEnd path_end(void) { return event_of(EVENT_PATH_END, 0)->as.path_end.reason; }
@@ -183,11 +183,11 @@ static void nearest_should_leave_out_the_face_to_skip(void)
     add_floor(matt());
     small_scene_face(&small, 0, face_at_height(-1, -1, 1, 1, 0.5));
     Ray ray = {vec3(0, 0, 1), vec3(0, 0, -2)};
-    CastHit hit = reference_nearest(&(Tracer){&small.scene, NULL, &report, NULL}, ray, -1);
+    CastHit hit = reference_nearest(&(Tracer){.scene = &small.scene, .report = &report}, ray, -1);
     TEST_ASSERT_TRUE(hit.face == 1 && hit.t == 0.25);
-    hit = reference_nearest(&(Tracer){&small.scene, NULL, &report, NULL}, ray, 1);
+    hit = reference_nearest(&(Tracer){.scene = &small.scene, .report = &report}, ray, 1);
     TEST_ASSERT_TRUE(hit.face == 0 && hit.t == 0.5);
-    hit = reference_nearest(&(Tracer){&small.scene, NULL, &report, NULL}, (Ray){vec3(0, 0, 1), vec3(0, 0, 1)}, -1);
+    hit = reference_nearest(&(Tracer){.scene = &small.scene, .report = &report}, (Ray){vec3(0, 0, 1), vec3(0, 0, 1)}, -1);
     TEST_ASSERT_EQUAL_INT(-1, hit.face);
 }
 
@@ -327,10 +327,10 @@ static void face_should_never_shadow_itself(void)
     int hits = 0;
     for (int row = 0; row < 30; row++)
         for (int column = 0; column < 30; column++) {
-            Vec3 colour = reference_pixel(&(Tracer){&small.scene, NULL, &report, NULL}, column, row);
+            Vec3 colour = reference_pixel(&(Tracer){.scene = &small.scene, .report = &report}, column, row);
             View view = view_of(&small.scene);
             Ray ray = {view.eye, view_direction(&view, column, row, 0, 0)};
-            bool hit = reference_nearest(&(Tracer){&small.scene, NULL, &report, NULL}, ray, -1).face == 0;
+            bool hit = reference_nearest(&(Tracer){.scene = &small.scene, .report = &report}, ray, -1).face == 0;
             hits += hit;
             TEST_ASSERT_TRUE(colour.x == (hit ? 1 : 0));
         }
@@ -516,7 +516,7 @@ static void grid_should_average_its_samples(void)
     small.scene.grid = 2;
     ASSERT_VEC3_WITHIN(EXACT, 0.5, 0.75, 1, pixel());
     small.scene.grid = 16;
-    ASSERT_VEC3_WITHIN(EXACT, 0.5, 0.75, 1, reference_pixel(&(Tracer){&small.scene, NULL, &report, NULL}, 0, 0));
+    ASSERT_VEC3_WITHIN(EXACT, 0.5, 0.75, 1, reference_pixel(&(Tracer){.scene = &small.scene, .report = &report}, 0, 0));
     small.scene.grid = 3; /* the middle column hits the edge, which is inside */
     ASSERT_VEC3_WITHIN(EXACT, 2.0 / 3, 2.5 / 3, 1, pixel());
     TEST_ASSERT_EQUAL_UINT64(9, report.rays.primary);
@@ -554,7 +554,7 @@ static void recorder_should_not_change_the_colour(void)
     build_eventful_scene();
     Vec3 told = pixel();
     RenderReport told_report = report, silent_report = {0};
-    Vec3 silent = reference_pixel(&(Tracer){&small.scene, NULL, &silent_report, NULL}, 0, 0);
+    Vec3 silent = reference_pixel(&(Tracer){.scene = &small.scene, .report = &silent_report}, 0, 0);
     TEST_ASSERT_EQUAL_MEMORY(&told, &silent, sizeof told);
     TEST_ASSERT_EQUAL_MEMORY(&told_report.rays, &silent_report.rays, sizeof silent_report.rays);
 }

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const scenes[] = {"black", "ambient", "dark", "empty"};
-enum { SCENES = 4 };
+static const char *const scenes[] = {"black", "ambient", "dark", "empty", "refined"};
+enum { SCENES = 5 };
 
 static Scene scene;
 static Accel accel;
@@ -20,7 +20,7 @@ static unsigned char *picture;
 
 /* What has occurred, in any pixel of any scene. */
 static struct {
-    long kinds[EVENT_KIND_COUNT], faces[FACE_VERDICT_COUNT], occluders[FACE_VERDICT_COUNT], edges[4];
+    long kinds[EVENT_KIND_COUNT], adaptive[ADAPTIVE_HIGHLIGHT + 1], faces[FACE_VERDICT_COUNT], occluders[FACE_VERDICT_COUNT], edges[4];
     long light_verdicts[LIGHT_REACHES + 1], path_ends[PATH_MAX_BOUNCES + 1];
     long light_in_plane, on_edge, same_t, ambient_only, mirrored_background, clamped, from_behind, superseded;
 } seen;
@@ -94,7 +94,9 @@ static void see_face(const Event *event)
 static void see(const Event *event)
 {
     seen.kinds[event->kind]++;
-    if (event->kind == EVENT_FACE)
+    if (event->kind == EVENT_ADAPTIVE)
+        seen.adaptive[event->as.adaptive.reason]++;
+    else if (event->kind == EVENT_FACE)
         see_face(event);
     else if (event->kind == EVENT_OCCLUDER)
         seen.occluders[event->as.occluder.test.verdict]++;
@@ -157,6 +159,8 @@ static void the_scenes_should_take_every_branch(void)
 {
     for (int kind = 0; kind < EVENT_KIND_COUNT; kind++)
         assert_seen(seen.kinds[kind], "event", kind);
+    for (int reason = ADAPTIVE_SAME; reason <= ADAPTIVE_HIGHLIGHT; reason++)
+        assert_seen(seen.adaptive[reason], "adaptive reason", reason);
     for (int verdict = 0; verdict < FACE_VERDICT_COUNT; verdict++) {
         assert_seen(seen.faces[verdict], "face verdict", verdict);
         if (verdict != FACE_LEFT) /* the point's own face is not asked */
@@ -182,6 +186,7 @@ static void the_scenes_should_take_every_branch(void)
 static void events_should_follow_one_another_as_a_path_does(void)
 {
     static const char *const followers[EVENT_KIND_COUNT] = {
+        [EVENT_ADAPTIVE] = "sample",
         [EVENT_SAMPLE] = "tally miss",
         [EVENT_TALLY] = "node face occluder hit miss light_end",
         [EVENT_FACE] = "node face hit miss",
@@ -196,9 +201,9 @@ static void events_should_follow_one_another_as_a_path_does(void)
         [EVENT_REFLECTED] = "tally miss",
         [EVENT_PATH_END] = "sample pixel",
     };
-    static const char *const names[EVENT_KIND_COUNT] = {"sample",    "face",     "node",      "hit",   "miss",
-                                                        "light",     "occluder", "light_end", "terms", "shaded",
-                                                        "reflected", "path_end", "pixel",     "tally"};
+    static const char *const names[EVENT_KIND_COUNT] = {"adaptive",  "sample",   "face",      "node",  "hit",
+                                                        "miss",      "light",    "occluder",  "light_end", "terms",
+                                                        "shaded",    "reflected", "path_end", "pixel", "tally"};
     for (int s = 0; s < 4; s++) {
         load(scenes[s % 2]);
         build(s < 2 ? ACCEL_NONE : ACCEL_BVH);

@@ -319,6 +319,27 @@ class Options(CommandTest):
             self.assertEqual(out.decode().splitlines()[-1], f"Pixel (2, 1) = {picture[1][2]}")
             self.assertIn(f"sample ({sample.replace(',', ', ')})", out.decode())
 
+    def test_adaptive_sampling_tells_why_and_the_samples_that_count(self):
+        words = ("--size", "16x12", "--sampling", "adaptive:3")
+        self.run_program("render", SCENES[1], "-b", "reference", "-o", "a.png", *words)
+        picture = png_pixels(self.bytes_of("a.png"))
+        reasons = {}
+        for pixel in range(192):
+            column, row = pixel % 16, pixel // 16
+            out, _ = self.run_program("trace", SCENES[1], "--pixel", f"{column},{row}", "--format", "json", *words)
+            walk = json.loads(out)
+            first = walk["events"][0]
+            samples = [event for event in walk["events"] if event["event"] == "sample"]
+            self.assertEqual(len(samples), 9 if first["refined"] else 1)
+            self.assertEqual(tuple(walk["events"][-1]["rgb"]), picture[row][column])
+            reasons[first["reason"]] = (column, row)
+        self.assertLessEqual({"same", "edge"}, set(reasons))
+        for reason, words_told in (("same", "which alone makes the pixel"), ("edge", "needs more than the ray through its centre")):
+            column, row = reasons[reason]
+            out, _ = self.run_program("trace", SCENES[1], "--pixel", f"{column},{row}", "--sample", "1,2", *words)
+            self.assertIn(words_told, " ".join(out.decode().split()))
+            self.assertEqual(out.decode().splitlines()[-1], f"Pixel ({column}, {row}) = {picture[row][column]}")
+
     def test_verbose_lists_every_face(self):
         out, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12", "--verbose")
         short, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12")

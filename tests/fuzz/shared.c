@@ -98,13 +98,13 @@ static void check_pixels(Scene scene)
     scene.screen.height = screen_height(&scene.screen); /* of the whole picture */
     scene.screen.columns = 3;
     scene.screen.rows = 2;
-    scene.grid = 1;
+    scene.grid = scene.adaptive ? 2 : 1;
     for (int k = 0; k < 3; k++) {
         Error error = {.kind = ERROR_NONE};
         Accel accel;
         RenderReport report = {.threads = 1};
         REQUIRE(accel_build(&accel, &scene, kinds[k], 1, &error));
-        Tracer tracer = {&scene, &accel, &report, NULL};
+        Tracer tracer = {.scene = &scene, .accel = &accel, .report = &report};
         for (int i = 0; i < 6; i++) {
             Vec3 colour = reference_pixel(&tracer, i % 3, i / 3);
             REQUIRE(vec3_is_finite(colour));

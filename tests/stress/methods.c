@@ -68,7 +68,7 @@ static void nearest_by_tree(const Suite *suite, Method method, const double *ray
 void method_nearest(Suite *suite, Method method, const double *rays, long count, CastHit *hits)
 {
     RenderReport report = {0};
-    const Tracer tracer = {suite->scene, &suite->accel, &report, NULL};
+    const Tracer tracer = {.scene = suite->scene, .accel = &suite->accel, .report = &report};
     if (method == TEXTBOOK)
         for (long i = 0; i < count; i++)
             hits[i] = textbook_nearest(suite->scene, rays + 6 * i);

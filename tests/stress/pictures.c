@@ -42,7 +42,7 @@ void test_mirrors(Suite *suite)
             for (Method method = KERNEL_FLOAT; method < METHOD_COUNT; method++) {
                 double colour[3];
                 RenderReport report = {0};
-                const Tracer tracer = {&scene, NULL, &report, NULL};
+                const Tracer tracer = {.scene = &scene, .report = &report};
                 if (method == REFERENCE)
                     vec3_put(colour, reference_pixel(&tracer, 0, 0));
                 else

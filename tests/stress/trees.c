@@ -72,7 +72,7 @@ static void cast_with(const Scene *scene, Method method, AccelKind kind, const H
     }
     Accel accel = {0};
     stop_unless(accel_build(&accel, scene, kind, 0, &error), &error);
-    const Tracer tracer = {scene, &accel, &report, NULL};
+    const Tracer tracer = {.scene = scene, .accel = &accel, .report = &report};
     for (long i = 0; i < hits->count; i++)
         found[i] = reference_nearest(&tracer, (Ray){vec3_at(hits->rays + 6 * i), vec3_at(hits->rays + 6 * i + 3)}, -1);
     accel_free(&accel);
