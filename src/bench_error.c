@@ -32,18 +32,16 @@ static ErrorChoice *add(BenchError *result, ErrorSeries series, int grid)
     return choice;
 }
 
-static void name_choice(ErrorChoice *choice, const char *what)
-{
-    snprintf(choice->name, sizeof choice->name, "%s, grid %d", what, choice->grid);
-}
-
+/* Every grid; adaptive, there is nothing to refine in the first. */
 static void add_grids(BenchError *result, ErrorSeries series, Backend backend, Precision precision, const char *what)
 {
-    for (int i = 0; i < GRID_COUNT; i++) {
+    bool adaptive = series >= SERIES_ADAPTIVE;
+    for (int i = adaptive; i < GRID_COUNT; i++) {
         ErrorChoice *choice = add(result, series, GRIDS[i]);
         choice->backend = backend;
         choice->precision = precision;
-        name_choice(choice, what);
+        choice->adaptive = adaptive;
+        snprintf(choice->name, sizeof choice->name, "%s, %s %d", what, adaptive ? "adaptive" : "grid", GRIDS[i]);
     }
 }
 
@@ -52,10 +50,14 @@ static void list_choices(BenchError *result, bool mirrors)
     add_grids(result, SERIES_FLOAT, BACKEND_OPENCL, PRECISION_FLOAT, "float");
     add_grids(result, SERIES_DOUBLE, BACKEND_OPENCL, PRECISION_DOUBLE, "double");
     add_grids(result, SERIES_REFERENCE, BACKEND_REFERENCE, PRECISION_DOUBLE, "reference");
+    add_grids(result, SERIES_ADAPTIVE, BACKEND_OPENCL, PRECISION_FLOAT, "float");
+    add_grids(result, SERIES_ADAPTIVE_DOUBLE, BACKEND_OPENCL, PRECISION_DOUBLE, "double");
+    add_grids(result, SERIES_ADAPTIVE_REFERENCE, BACKEND_REFERENCE, PRECISION_DOUBLE, "reference");
     for (int bounces = 0; mirrors && bounces < result->bounces; bounces += bounces < 4 ? 1 : bounces / 2) {
         ErrorChoice *choice = add(result, SERIES_BOUNCES, BASE_GRID);
         choice->bounces = bounces;
-        snprintf(choice->name, sizeof choice->name, "float, grid %d, %d bounces", BASE_GRID, bounces);
+        snprintf(choice->name, sizeof choice->name, "float, grid %d, %d bounce%s", BASE_GRID, bounces,
+                 bounces == 1 ? "" : "s");
     }
     for (AccelKind accel = ACCEL_NONE; accel <= ACCEL_BVH; accel++) {
         ErrorChoice *choice = add(result, SERIES_ACCEL, BASE_GRID);
@@ -72,6 +74,7 @@ static bool trace(const ErrorChoice *choice, const Scene *scene, const BenchPlan
     Scene changed = *scene;
     RenderSettings settings = plan->settings;
     changed.grid = choice->grid;
+    changed.adaptive = choice->adaptive;
     changed.shading.max_bounces = choice->bounces;
     settings.precision = choice->precision;
     if (choice->accel != ACCEL_AUTO)
@@ -252,7 +255,9 @@ bool bench_error(BenchError *result, const BenchScene *wanted, const BenchPlan *
         return false;
     scene.screen.columns = wanted->columns;
     scene.screen.rows = wanted->rows;
+    scene.adaptive = scene.adaptive && scene.grid == wanted->grid;
     scene.grid = wanted->grid;
+    result->adaptive = scene.adaptive;
     result->faces = scene.face_count;
     result->bounces = scene.shading.max_bounces;
     list_choices(result, reflects(&scene));

@@ -13,6 +13,9 @@ typedef enum ErrorSeries {
     SERIES_FLOAT,     /* the OpenCL backend in float, grid by grid */
     SERIES_DOUBLE,    /* the same in double */
     SERIES_REFERENCE, /* the reference tracer, grid by grid */
+    SERIES_ADAPTIVE,  /* float, adaptive up to one grid after another */
+    SERIES_ADAPTIVE_DOUBLE,
+    SERIES_ADAPTIVE_REFERENCE,
     SERIES_BOUNCES,   /* float, grid 4, fewer bounces than the scene allows */
     SERIES_ACCEL      /* float, grid 4, other ways of finding faces */
 } ErrorSeries;
@@ -23,6 +26,7 @@ typedef struct ErrorChoice {
     Precision precision;
     AccelKind accel;
     int grid;
+    bool adaptive; /* the grid only where a pixel needs it */
     int bounces;
     char name[48];
     int runs;  /* 0: not measured, it would have taken too long */
@@ -40,6 +44,7 @@ typedef struct ErrorCauses {
 typedef struct BenchError {
     BenchScene scene;
     int faces, bounces;
+    bool adaptive; /* so is the default: the scene says so, and no grid was given */
     double truth_error, truth_check; /* see bench_truth.h */
     ErrorChoice choices[ERROR_MAX_CHOICES];
     int choice_count;
@@ -50,7 +55,7 @@ typedef struct BenchError {
  * rounds, each choice once a round, so that all meet the same weather; what takes over a second is run once, what would
  * take over ten is left out.
  *
- * The causes, for the OpenCL backend in float with the scene's grid and bounces:
+ * The causes, for the OpenCL backend in float with the scene's sampling and bounces:
  * arithmetic, float against double on the same rays; sampling, double against the truth; truncation, the scene's bounces
  * against 64; output, linear colours against their bytes; all, the bytes against the truth of 64 bounces. */
 bool bench_error(BenchError *result, const BenchScene *scene, const BenchPlan *plan, Error *error);

@@ -106,8 +106,8 @@ static void print_causes(FILE *out, const BenchErrors *errors)
     for (int i = 0; i < errors->count; i++) {
         const BenchError *result = &errors->scenes[i];
         const ErrorCauses *c = &result->causes;
-        fprintf(out, "| %s, grid %d, %d bounces | %.1e | %.1e | %.1e | %.1e | %.1e |\n", result->scene.name,
-                result->scene.grid, result->bounces, c->arithmetic, c->sampling, c->truncation, c->output, c->all);
+        fprintf(out, "| %s, %s %d, %d bounces | %.1e | %.1e | %.1e | %.1e | %.1e |\n", result->scene.name,
+                result->adaptive ? "adaptive" : "grid", result->scene.grid, result->bounces, c->arithmetic, c->sampling, c->truncation, c->output, c->all);
     }
 }
 
@@ -140,12 +140,14 @@ static void write_text(FILE *out, const char *text)
 
 static void write_choice(FILE *out, const BenchError *result, const ErrorChoice *choice)
 {
-    static const char *const series[] = {"float", "double", "reference", "bounces", "accel"};
+    static const char *const series[] = {"float", "double", "reference", "adaptive", "adaptive double", "adaptive reference",
+                                         "bounces", "accel"};
     static const char *const accels[] = {"auto", "none", "kdtree", "bvh"};
     write_text(out, result->scene.name);
-    fprintf(out, ",%d,%d,\"%s\",%s,%s,%s,%s,%d,%d,%d,", result->scene.columns, result->scene.rows, choice->name,
+    fprintf(out, ",%d,%d,\"%s\",%s,%s,%s,%s,%s,%d,%d,%d,", result->scene.columns, result->scene.rows, choice->name,
             series[choice->series], choice->backend == BACKEND_OPENCL ? "opencl" : "reference",
-            choice->precision == PRECISION_FLOAT ? "float" : "double", accels[choice->accel], choice->grid,
+            choice->precision == PRECISION_FLOAT ? "float" : "double", accels[choice->accel],
+            choice->adaptive ? "adaptive" : "uniform", choice->grid,
             choice->bounces, choice->runs);
     if (choice->runs == 0) {
         fputs(",,,,,,,,,,\n", out);
@@ -168,7 +170,7 @@ bool bench_error_write_csv(const BenchError *result, const BenchFolder *folder, 
     if (!out)
         return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", path.text, strerror(errno));
     fputs(
-        "scene,columns,rows,choice,series,backend,precision,accel,grid,bounces,runs,trace_ms,rmse,max_error,share_off,"
+        "scene,columns,rows,choice,series,backend,precision,accel,sampling,grid,bounces,runs,trace_ms,rmse,max_error,share_off,"
         "psnr_db,primary,shadow,reflection,on_front,better,truth_error\n",
         out);
     for (int i = 0; i < result->choice_count; i++)

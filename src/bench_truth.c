@@ -45,6 +45,7 @@ bool bench_picture_fine(BenchPicture *picture, const Scene *scene, int grid, con
     wide.screen.columns *= block;
     wide.screen.rows *= block;
     wide.grid = grid / block;
+    wide.adaptive = false;
     bool ok = bench_picture_blank(picture, scene->screen.columns, scene->screen.rows, error);
     ok = bench_picture(&large, &wide, BACKEND_OPENCL, &exact, error) && ok;
     if (ok)
@@ -60,6 +61,7 @@ static bool check_pixels(const BenchPicture *picture, const Scene *scene, double
     RenderReport unused = {0};
     Scene fine = *scene;
     fine.grid = TRUTH_GRID;
+    fine.adaptive = false;
     bool ok = accel_build(&accel, scene, ACCEL_AUTO, 0, error);
     *most = 0;
     for (int i = 0; i < TRUTH_CHECKS && ok; i++) {

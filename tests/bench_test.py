@@ -113,6 +113,8 @@ class Error(BenchTest):
             for grid in (1, 2, 3, 4, 6, 8, 12, 16):
                 for way in ("float", "double", "reference"):
                     self.assertEqual(int(self.rows[f"{way}, grid {grid}"]["primary"]), 48 * grid * grid)
+                    if grid > 1:
+                        self.assertLessEqual(int(self.rows[f"{way}, adaptive {grid}"]["primary"]), 48 * (grid * grid + 1))
             for more in ("0 bounces", "accel none", "accel kdtree", "accel bvh"):
                 self.assertIn(f"float, grid 4, {more}", self.rows)
         with self.subTest("the double kernel is as far from the truth as the reference, float hardly farther"):
@@ -124,6 +126,11 @@ class Error(BenchTest):
             self.assertLess(self.rmse("float, grid 16"), self.rmse("float, grid 4"))
             self.assertLess(self.rmse("float, grid 4"), self.rmse("float, grid 1"))
             self.assertLess(3 * float(self.rows["float, grid 1"]["truth_error"]), self.rmse("float, grid 16"))
+        with self.subTest("adaptive, each backend gives the other's pixels"):
+            for grid in (2, 3, 4, 6, 8, 12, 16):
+                exact = self.rmse(f"reference, adaptive {grid}")
+                self.assertAlmostEqual(self.rmse(f"double, adaptive {grid}"), exact, delta=1e-6 * exact)
+                self.assertAlmostEqual(self.rmse(f"float, adaptive {grid}"), exact, delta=1e-2 * exact)
         with self.subTest("fewer bounces are farther"):
             self.assertGreater(self.rmse("float, grid 4, 0 bounces"), 2 * self.rmse("float, grid 4"))
         with self.subTest("what is dominated names what is faster and as close, and what is not is on the front"):

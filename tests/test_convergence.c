@@ -6,6 +6,9 @@
 
 enum { COLUMNS = 40, ROWS = 30, PIXELS = COLUMNS * ROWS };
 
+static const int grids[] = {1, 2, 3, 4, 6, 8, 12, 16};
+enum { GRIDS = sizeof grids / sizeof grids[0] };
+
 static SmallScene small;
 static RenderReport report;
 static double truth[PIXELS];
@@ -61,8 +64,6 @@ static double slope(const double *x, const double *y, int count)
  * in doubt, by half a ray each, and their errors have either sign. So the sum is off by some n^(1/4) rays of n. */
 static void error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarters(void)
 {
-    const int grids[] = {1, 2, 3, 4, 6, 8, 12, 16};
-    enum { GRIDS = sizeof grids / sizeof grids[0] };
     double log_rays[GRIDS], log_error[GRIDS];
     fan(33);
     for (int i = 0; i < GRIDS; i++) {
@@ -75,9 +76,30 @@ static void error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarter
     TEST_ASSERT_TRUE(power >= 0.75);
 }
 
+/* Pixels that are one colour need no more than their centre, and the others get the grid: the error is the grid's. */
+static void adaptive_error_should_be_that_of_the_grid_and_fall_with_it_for_fewer_rays(void)
+{
+    double last = HUGE_VAL;
+    fan(9);
+    for (int i = 1; i < GRIDS; i++) {
+        small.scene.adaptive = false;
+        report = (RenderReport){0};
+        double uniform = rmse_of_grid(grids[i]);
+        uint64_t rays = report.rays.primary;
+        small.scene.adaptive = true;
+        report = (RenderReport){0};
+        double adaptive = rmse_of_grid(grids[i]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, uniform, adaptive);
+        TEST_ASSERT_TRUE(adaptive < last);
+        TEST_ASSERT_TRUE(report.rays.primary < rays);
+        last = adaptive;
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(adaptive_error_should_be_that_of_the_grid_and_fall_with_it_for_fewer_rays);
     RUN_TEST(error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarters);
     return UNITY_END();
 }
