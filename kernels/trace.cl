@@ -39,8 +39,11 @@ static bool ask_nearest(const Geometry *g, NearestQuery *q, int i)
         return false;
     if (ANY(edges.may & ~edges.sure))
         settle_edges(&edges, g->faces + i, &q->ray, 0);
-    if (g->faces[i].front_only)
+    if (g->faces[i].front_only) {
         edges.may &= ~edges.with_normal;
+        if (!ANY(edges.may)) /* plane_hit wants a lane that asks */
+            return false;
+    }
 
     PlaneHit hit = plane_hit(g, i, &q->ray.origin, &q->ray.direction, TO_WIDE_MASK(edges.may));
     /* The edges have told the sign of N.R. */
