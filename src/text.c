@@ -29,13 +29,12 @@ static FILE *open_regular(const char *path, long *size, Error *error)
     }
     struct stat status;
     FILE *file = NULL;
-    if (fstat(descriptor, &status) != 0)
-        text_fail_errno(path, "cannot be opened", error);
-    else if (S_ISDIR(status.st_mode))
+    bool known = fstat(descriptor, &status) == 0;
+    if (known && S_ISDIR(status.st_mode))
         error_set(error, ERROR_INPUT, "%s: is a folder, not a file", path);
-    else if (!S_ISREG(status.st_mode))
+    else if (known && !S_ISREG(status.st_mode))
         error_set(error, ERROR_INPUT, "%s: is a %s, not a file", path, S_ISFIFO(status.st_mode) ? "pipe" : "device");
-    else if (!(file = fdopen(descriptor, "rb")))
+    else if (!known || !(file = fdopen(descriptor, "rb")))
         text_fail_errno(path, "cannot be opened", error);
     if (!file)
         close(descriptor);
