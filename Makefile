@@ -233,6 +233,26 @@ $(BUILD)/tests/unity.o: $(UNITY_DIR)/unity.c
 	$(call say,compile,$<)
 	$(Q)$(CC) -std=c99 $(CFLAGS) $(INSTRUMENT) $(UNITY_FLAGS) -c $< -o $@
 
+# What does not fit into .ci/run, for a night: the suites at length, and the programs that watch every access.
+.PHONY: soak
+soak: ## hours of tests: the suites at length, stress, mutants, random scenes, fuzz, oclgrind, valgrind, coverage
+	@RECTRAY_SOAK=1 $(MAKE) --no-print-directory test
+	@$(MAKE) --no-print-directory stress mutants oclgrind valgrind coverage
+	@$(MAKE) --no-print-directory random-scenes COUNT=10000
+	@$(MAKE) --no-print-directory fuzz SECONDS=1800
+
+.PHONY: oclgrind
+oclgrind: ## run the kernels in a simulated device that watches memory and races (minutes)
+	@$(SETUP) build run oclgrind
+	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	@tests/soak/oclgrind $(PROGRAM)
+
+.PHONY: valgrind
+valgrind: ## run the commands in valgrind: wrong accesses, what was never set, what is lost (minutes)
+	@$(SETUP) build run valgrind
+	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	@tests/soak/valgrind $(PROGRAM)
+
 # Random scenes on both backends: `make test` renders some, `make random-scenes` as many as you like.
 RANDOM_COMPARE := $(BUILD)/compare_scenes
 RANDOM_OBJECTS := $(BUILD)/tests/random/compare.o $(BUILD)/tests/near_edge.o
@@ -328,6 +348,15 @@ asan: ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer (su
 	 LSAN_OPTIONS=suppressions=$(abspath tests/lsan.supp):print_suppressions=0 \
 	 $(MAKE) --no-print-directory test BUILD=build/asan RERUN="make asan" CFLAGS="-O1 -g -fno-omit-frame-pointer" \
 	     INSTRUMENT="-fsanitize=address,undefined -fno-sanitize-recover=all"
+
+# Branches are told, too: many belong to failures that only the suite `faults` brings about.
+.PHONY: coverage
+coverage: ## run the tests and tell which lines of src/ they reach: 95 % at least (suite=NAME too)
+	@$(SETUP) coverage
+	@find build/coverage -name '*.gcda' -delete 2>/dev/null || true
+	@$(MAKE) --no-print-directory test BUILD=build/coverage RERUN="make coverage" CFLAGS="-O0 -g" \
+	     INSTRUMENT="--coverage -fprofile-update=atomic"
+	@gcovr --root . --filter src/ --print-summary --fail-under-line 95 build/coverage
 
 .PHONY: clang
 clang: ## build the program and its tests with clang, warnings being errors
