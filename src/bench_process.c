@@ -125,7 +125,8 @@ bool bench_process(BenchProcess *result, const BenchScene *scene, const BenchPla
 
 static bool export_scene(const char *path, const char *exported, Error *error)
 {
-    const char *argv[] = {"sh", "-c", BENCH_EXPORT " \"$1\" > \"$2\"", "sh", path, exported, NULL};
+    static const char command[] = BENCH_EXPORT " \"$1\" > \"$2\"";
+    const char *argv[] = {"sh", "-c", command, "sh", path, exported, NULL};
     double ms;
     return process_run(argv, NULL, 0, &ms, error);
 }
