@@ -25,7 +25,7 @@ INLINE real largest_of(global const real *a, global const real *b)
 
 /* --- How evenly light changes over a face --- */
 
-INLINE Lanes curved(Lanes r) { return (real)1.1 * r * r; }
+INLINE Lanes curved(Lanes square) { return (real)0.35 * square; }
 
 INLINE Lanes power_bound(Lanes x, real power)
 {
@@ -41,7 +41,7 @@ static Lanes power_uneven(Lanes x, real k, Lanes off, Lanes change)
         return (Lanes)0;
     Lanes uneven;
     if (k >= 2)
-        uneven = power_bound(high, k - 2) * k * (off + (real)0.25 * (k - 1) * change * change);
+        uneven = power_bound(high, k - 2) * k * (off + (real)0.2 * (k - 1) * change * change);
     else
         uneven = low > (Lanes)0 ? (2 * off + (real)0.5 * change * change / low) / low : (Lanes)1;
     return high <= (Lanes)0 ? (Lanes)0 : uneven;
@@ -51,6 +51,8 @@ INLINE Vec vec_point(Point p) { return vec((Lanes)(real)p.x, (Lanes)(real)p.y, (
 
 INLINE real point_length(Point p) { return (real)sqrt(point_dot(p, p)); }
 
+INLINE real beam_square(const Beam *b) { return (real)(point_dot(b->u, b->u) + point_dot(b->v, b->v)); }
+
 static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, const Beam *to_light, const Beam *to_viewer)
 {
     Lanes l_length = sqrt(vec_dot(to_light->real_c, to_light->real_c));
@@ -58,16 +60,18 @@ static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, 
     Lanes l_turn = (point_length(to_light->u) + point_length(to_light->v)) / l_length;
     Lanes v_turn = (point_length(to_viewer->u) + point_length(to_viewer->v)) / v_length;
     Mask follow = IS(l_turn <= (Lanes)WIDEST) & IS(v_turn <= (Lanes)WIDEST);
-    Lanes uneven = diffuse * curved(l_turn);
+    Lanes l_square = beam_square(to_light) / (l_length * l_length), v_square = beam_square(to_viewer) / (v_length * v_length);
+    Lanes uneven = diffuse * curved(l_square);
     if (specular == 0)
         return follow ? uneven : (Lanes)(diffuse + specular);
 
     Vec sum = vec_add(vec_scale(1 / l_length, to_light->real_c), vec_scale(1 / v_length, to_viewer->real_c));
-    Lanes length = sqrt(vec_dot(sum, sum)), h_turn = (real)4 / 3 * (l_turn + v_turn) / length;
+    Lanes length = sqrt(vec_dot(sum, sum)), h_turn = (l_turn / (1 - l_turn) + v_turn / (1 - v_turn)) / length;
     Mask follow_h = IS(h_turn <= (Lanes)WIDEST);
-    Lanes n_dot_h = -vec_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h, angle = (real)1.5 * h_turn;
+    Lanes n_dot_h = -vec_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h, angle = (real)1.1 * h_turn / (1 - h_turn);
     Lanes change = sqrt(square > (Lanes)0 ? square : (Lanes)0) * angle + (real)0.5 * angle * angle;
-    Lanes off = (real)4 / 3 * (curved(l_turn) + curved(v_turn)) / length + curved(h_turn);
+    Lanes off = (real)4 / 3 * (curved(l_square) + curved(v_square)) / length +
+                (real)1.25 * (l_square + v_square) / (length * length);
     Lanes highlight = uneven + specular * power_uneven(n_dot_h, exponent, off, change);
     highlight = follow_h ? highlight : uneven + specular;
     return follow ? highlight : (Lanes)(diffuse + specular);

@@ -45,8 +45,10 @@ double adaptive_brightest(const Scene *scene)
 
 /* --- How evenly light changes over a face --- */
 
-/* For |x| = 1 and |e| <= r <= 1/4, x + e made a unit vector is x + (e without its part along x) + at most this. */
-static double curved(double r) { return 1.1 * r * r; }
+/* The directions of a beam made unit vectors are a linear function of a and b but for a rest whose average is at most this:
+ * 2/sqrt(3) bounds the second derivative of x/|x| at |x| = 1, (1 - 1/4)^-2 what |x| changes, and (a u + b v)^2 has the
+ * average (u^2 + v^2) / 3. `square` is (u^2 + v^2) / c^2. */
+static double curved(double square) { return 0.35 * square; }
 
 /* A bound of x^power for 0 <= x <= 1 without a power in it: x^p <= exp(-p (1 - x)). */
 static double power_bound(double x, double power)
@@ -64,7 +66,7 @@ static double power_uneven(double x, double k, double off, double change)
         return 0;
     if (k >= 2) {
         double bound = power_bound(high, k - 2);
-        return bound * k * (off + 0.25 * (k - 1) * change * change);
+        return bound * k * (off + 0.2 * (k - 1) * change * change);
     }
     return low > 0 ? (2 * off + 0.5 * change * change / low) / low : 1;
 }
@@ -80,17 +82,19 @@ static double unevenness(const Material *material, const Light *light, Vec3 norm
     double v_turn = (vec3_length(to_viewer->u) + vec3_length(to_viewer->v)) / v_length;
     if (!(l_turn <= WIDEST && v_turn <= WIDEST))
         return diffuse + specular;
-    double uneven = diffuse * curved(l_turn);
+    double l_square = (vec3_dot(to_light->u, to_light->u) + vec3_dot(to_light->v, to_light->v)) / (l_length * l_length);
+    double v_square = (vec3_dot(to_viewer->u, to_viewer->u) + vec3_dot(to_viewer->v, to_viewer->v)) / (v_length * v_length);
+    double uneven = diffuse * curved(l_square);
     if (specular == 0)
         return uneven;
 
     Vec3 sum = vec3_add(vec3_scale(1 / l_length, to_light->c), vec3_scale(1 / v_length, to_viewer->c));
-    double length = vec3_length(sum), h_turn = 4.0 / 3 * (l_turn + v_turn) / length;
+    double length = vec3_length(sum), h_turn = (l_turn / (1 - l_turn) + v_turn / (1 - v_turn)) / length;
     if (!(h_turn <= WIDEST))
         return uneven + specular;
-    double n_dot_h = -vec3_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h, angle = 1.5 * h_turn;
+    double n_dot_h = -vec3_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h, angle = 1.1 * h_turn / (1 - h_turn);
     double change = sqrt(square > 0 ? square : 0) * angle + 0.5 * angle * angle;
-    double off = 4.0 / 3 * (curved(l_turn) + curved(v_turn)) / length + curved(h_turn);
+    double off = 4.0 / 3 * (curved(l_square) + curved(v_square)) / length + 1.25 * (l_square + v_square) / (length * length);
     return uneven + specular * power_uneven(n_dot_h, material->shininess / 4, off, change);
 }
 
