@@ -3,6 +3,7 @@
 #include "clock.h"
 #include "command.h"
 #include "image.h"
+#include "map.h"
 #include "opencl.h"
 #include "progress.h"
 #include "reference_render.h"
@@ -114,6 +115,44 @@ static bool render_scene(const Options *options, const Scene *scene, Stats *stat
     return done && stats_print(to_stdout ? stderr : stdout, options->stats, stats, error);
 }
 
+/* What the map's colours run between. */
+static void print_scale(const Options *options, MapScale scale)
+{
+    const char *file = options->map_file;
+    if (options->map == MAP_RAYS)
+        fprintf(stderr, "%s: rays per pixel, from %.0f (black) to %.0f (white)\n", file, scale.low, scale.high);
+    else if (options->map == MAP_TIME)
+        fprintf(stderr, "%s: time per pixel, from %.4g ms (black) to %.4g ms (white)\n", file, scale.low, scale.high);
+    else if (options->map == MAP_DEPTH)
+        fprintf(stderr, "%s: depth, from %.6g (white) to %.6g (dark grey); black: nothing is hit\n", file, scale.low,
+                scale.high);
+    else if (options->map == MAP_NORMAL)
+        fprintf(stderr, "%s: normals, x, y, z from -1 to 1 as red, green, blue; black: nothing is hit\n", file);
+    else
+        fprintf(stderr, "%s: faces, a colour for each number; black: nothing is hit\n", file);
+}
+
+static bool check_map(const Options *options, Error *error)
+{
+    if (options->map_file && options->map == MAP_TIME && options->backend != BACKEND_REFERENCE)
+        return error_set(error, ERROR_USAGE, "--map time needs --backend reference: an OpenCL device times no single pixels");
+    if (options->map_file && options->output && strcmp(options->map_file, options->output) == 0)
+        return error_set(error, ERROR_USAGE, "the map %s would replace the picture; choose another name", options->map_file);
+    return !options->map_file || spare_scene(options->operands[0], options->map_file, error);
+}
+
+static bool draw_map(const Options *options, const Scene *scene, Error *error)
+{
+    Image image;
+    MapScale scale;
+    bool done = map_draw(&image, scene, options->map, options->settings.accel, options->settings.threads, &scale, error) &&
+                image_write(&image, options->map_file, error);
+    if (done && !options->quiet)
+        print_scale(options, scale);
+    image_free(&image);
+    return done;
+}
+
 bool command_render(const Options *options, Error *error)
 {
     double start = clock_ms();
@@ -124,7 +163,8 @@ bool command_render(const Options *options, Error *error)
     stats.parse_ms = clock_ms() - start;
     options_note_unused(options);
     scene_override(&scene, options);
-    bool done = render_scene(options, &scene, &stats, start, error);
+    bool done = check_map(options, error) && render_scene(options, &scene, &stats, start, error) &&
+                (!options->map_file || draw_map(options, &scene, error));
     scene_free(&scene);
     return done;
 }

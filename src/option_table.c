@@ -158,6 +158,15 @@ static bool set_sampling(Options *o, const char *value)
     return false;
 }
 
+static bool set_map(Options *o, const char *value)
+{
+    static const char *const words[] = {"rays", "time", "depth", "normal", "face", NULL};
+    int index = word_index(value, words);
+    o->map = (MapKind)index;
+    o->map_file = o->second_value;
+    return index >= 0 && o->map_file && o->map_file[0] != '-' && o->map_file[0] != '\0';
+}
+
 static bool set_bounces(Options *o, const char *value)
 {
     return read_int(value, 0, SCENE_MAX_BOUNCES, '\0', &o->bounces);
@@ -265,6 +274,8 @@ const Option option_table[] = {
      "N x N rays per pixel, instead of the scene's"},
     {"sampling", 0, "HOW", "render trace", set_sampling, "uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16",
      "uniform:N as --grid; adaptive[:N]: N x N (8 x 8) rays only where needed"},
+    {"map", 0, "KIND FILE", "render", set_map, "rays, time, depth, normal or face, and the name of a file",
+     "draw what the pixels cost or show: rays, time, depth, normal or face"},
     {"bounces", 0, "N", "render trace", set_bounces, "a whole number from 0 to 64",
      "at most N reflected rays in a row, instead of the scene's"},
     {"size", 0, "N", "generate", set_scene_size, "a whole number from 1 to 1000000",

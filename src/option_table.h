@@ -27,6 +27,9 @@ typedef struct Options {
     int columns, rows; /* 0: as the scene says, as is grid */
     int grid;
     SamplingChoice sampling;
+    const char *second_value; /* of an option that takes two, while it is read */
+    const char *map_file;     /* NULL: no map */
+    MapKind map;
     int bounces;          /* -1: as the scene says */
     int tolerance;        /* of 255 */
     int repeats;          /* of a measurement; 0: not given */
@@ -42,7 +45,7 @@ typedef struct Options {
 typedef struct Option {
     const char *name;     /* without the "--" */
     char letter;          /* 0: none */
-    const char *argument; /* as help shows it; NULL: none; "[=NAME]": may be left out */
+    const char *argument; /* as help shows it; NULL: none; "[=NAME]": may be left out; "KIND FILE": two words */
     const char *commands; /* the commands that take it, separated by blanks; "": all */
     bool (*set)(Options *options,
                 const char *value); /* false: not a proper value; the value is NULL where none was given */

@@ -194,6 +194,8 @@ bool options_parse(Options *options, const Command *command, int argc, char **ar
             return unknown_option(command, argv, error);
         const Option *option = option_found(found == ':' ? optopt : found);
         const char *value = found == ':' ? NULL : optarg;
+        if (value && strchr(option->argument, ' '))
+            options->second_value = optind < argc ? argv[optind++] : NULL;
         if (found == ':' || !option->set(options, value))
             return wrong_value(option, value, error);
     }

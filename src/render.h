@@ -10,6 +10,15 @@
 
 typedef enum Backend { BACKEND_OPENCL, BACKEND_REFERENCE } Backend;
 typedef enum Precision { PRECISION_FLOAT, PRECISION_DOUBLE } Precision;
+/* What a map of a picture shows of each pixel: map.h. */
+typedef enum MapKind {
+    MAP_RAYS,   /* rays traced for it, of all kinds */
+    MAP_TIME,   /* milliseconds */
+    MAP_DEPTH,  /* how far the ray through its centre goes */
+    MAP_NORMAL, /* of the face that this ray hits, on its side */
+    MAP_FACE,   /* that face */
+} MapKind;
+
 typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH } AccelKind;
 
 /* Told of what takes long before there is a picture, such as "compiling ...": a few words, without a newline. */

@@ -8,7 +8,7 @@ import struct
 import subprocess
 import unittest
 
-from program import PROGRAM, CommandTest
+from program import PROGRAM, CommandTest, png_pixels
 
 
 class ExitStatus(CommandTest):
@@ -84,6 +84,23 @@ class Render(CommandTest):
         self.assertEqual(refined("--sampling", "adaptive"), (15 + 64 * pixels, pixels))
         self.assertEqual(refined("--sampling", "adaptive:3", "--grid", "2"), (60, 0))
         self.assertEqual(refined("--grid", "2", "--sampling", "uniform:1"), (15, 0))
+
+    def test_maps_show_what_pixels_cost_and_meet(self):
+        for kind in ("rays", "time", "depth", "normal", "face"):
+            _, err = self.render("--map", kind, "map.png", "--size", "5x4")
+            self.assertIn("map.png: ", err)
+            pixels = png_pixels(self.bytes_of("map.png"))
+            self.assertEqual((len(pixels), len(pixels[0])), (4, 5))
+            self.assertGreater(len(set(sum(pixels, []))), 1, kind)
+        scale = self.render("--map", "rays", "map.png", "--sampling", "adaptive:2")[1]
+        self.assertRegex(scale, r"rays per pixel, from [1-9]\d* \(black\) to [1-9]\d* \(white\)")
+
+    def test_maps_that_cannot_be_are_refused(self):
+        for text, *words in (["needs --backend reference", "time", "map.png"], ["the name of a file", "rays"],
+                             ["the name of a file", "rays", "-q"], ["'colour': expected rays, time", "colour", "map.png"],
+                             ["would replace the picture", "rays", "a.png", "-o", "a.png"],
+                             ["would replace the scene", "rays", "scene.json"]):
+            self.assertIn(text, self.run_program("render", "scene.json", "--map", *words, status=2)[1])
 
     def test_quiet_says_nothing(self):
         self.assertEqual(self.render("-q"), (b"", ""))

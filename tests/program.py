@@ -2,9 +2,11 @@
 The program is $RECTRAY or build/rectray; each suite runs alone by: python3 tests/NAME_test.py [Class.test]"""
 import json
 import os
+import struct
 import subprocess
 import tempfile
 import unittest
+import zlib
 
 PROGRAM = os.path.abspath(os.environ.get("RECTRAY", "build/rectray"))
 
@@ -25,6 +27,28 @@ SCENE = {
          "vertices": [[1000, 0, -2], [1001, 0, -2], [1001, 1, -2]], "faces": [[0, 1, 2]]},
     ],
 }
+
+
+def png_pixels(data):
+    """The rows of an 8-bit RGB picture, by the PNG specification, section 9."""
+    columns, rows = struct.unpack(">II", data[16:24])
+    raw, at = b"", 8
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        raw += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
+        at += length + 12
+    raw, stride, picture, above = zlib.decompress(raw), 3 * columns, [], bytes(3 * columns)
+    for row in range(rows):
+        start = row * (stride + 1)
+        kind, line = raw[start], bytearray(raw[start + 1:start + 1 + stride])
+        for i in range(stride):
+            left, up, corner = (line[i - 3], above[i], above[i - 3]) if i >= 3 else (0, above[i], 0)
+            estimate = left + up - corner
+            paeth = min((abs(estimate - left), 0, left), (abs(estimate - up), 1, up), (abs(estimate - corner), 2, corner))[2]
+            line[i] = (line[i] + (0, left, up, (left + up) // 2, paeth)[kind]) % 256
+        picture.append([tuple(line[i:i + 3]) for i in range(0, stride, 3)])
+        above = line
+    return picture
 
 
 class CommandTest(unittest.TestCase):
