@@ -53,7 +53,7 @@ typedef struct BenchError {
 
 /* Measures every choice for the scene; one that is settled in size and grid, see bench_error_settle. Times are taken in
  * rounds, each choice once a round, so that all meet the same weather; what takes over a second is run once, what would
- * take over ten is left out.
+ * take over five is left out.
  *
  * The causes, for the OpenCL backend in float with the scene's sampling and bounces:
  * arithmetic, float against double on the same rays; sampling, double against the truth; truncation, the scene's bounces

@@ -28,9 +28,7 @@ bounces = 'data using (ms("bounces")):"rmse" with points pt 2 ps 1 lw 1.5 lc "#9
 adaptive = 'data using (ms("adaptive reference")):"rmse" @dashes pt 8 lc "#8a8a8a" title "reference, adaptive up to N x N", \
     data using (ms("adaptive double")):"rmse" @dashes pt 8 lc "#d08a2e" title "OpenCL, double, adaptive", \
     data using (ms("adaptive")):"rmse" @dashes pt 9 lc "#2b6cb0" title "OpenCL, float, adaptive", \
-    data using (ms("adaptive reference")):"rmse":"grid" @low_numbers tc "#444444" notitle, \
-    data using (ms("adaptive double")):"rmse":"grid" @low_numbers tc "#444444" notitle, \
-    data using (ms("adaptive")):"rmse":"grid" @low_numbers tc "#444444" notitle,'
+    data using (ms("adaptive")):"rmse":"grid" @low_numbers tc "#2b6cb0" notitle,'
 mirrors = 0
 refined = 0
 stats data using (mirrors = mirrors || is("bounces"), refined = refined || is("adaptive"), 1) nooutput
