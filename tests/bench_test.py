@@ -6,7 +6,8 @@ import subprocess
 import tempfile
 import unittest
 
-RECTRAY = os.environ["RECTRAY"]
+from program import PROGRAM as RECTRAY, SOAK
+
 SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes", "minimal.json")
 MARKS = ("<!-- bench: made by `make bench-peers`, from here -->\n", "<!-- bench: to here -->\n")
 PHASES = {"parse", "build", "device", "compile", "upload", "trace", "readback", "encode", "total", "wall"}
@@ -88,6 +89,62 @@ class Speed(BenchTest):
         self.assertIn("picture.png", os.listdir(os.path.join(self.folder.name, "deep", "er")))
         self.write_page("a file, not a folder")
         self.assertIn("page.md", self.bench(SCENE, "--folder", "page.md/x", status=3).stderr)
+
+
+class Peer(BenchTest):
+    """A peer of a few lines of shell, which answers as tests/peers/ do: bench starts whatever is at its place."""
+
+    HELLO = json.dumps({"peer": "sham", "rays": {"primary": 48, "shadow": 9, "reflection": 0}, "build_ms": 3,
+                        "modes": {"primary": "packets of 16", "shadow": "single rays", "reflection": "unused"},
+                        "build_bytes": 640, "share_inside_embree": 0.75})
+    SERVE = "while read -r line; do echo 2.5; done"
+
+    FINISH = f'{RECTRAY} render "$1" --size "$3" --grid "$5" -b reference -q -o "$8"'
+
+    def peer(self, hello=HELLO, serve=SERVE, finish=FINISH):
+        os.makedirs(os.path.join(self.folder.name, "build", "peers"), exist_ok=True)
+        path = os.path.join(self.folder.name, "build", "peers", "embree")
+        with open(path, "w") as script:
+            script.write(f"#!/bin/sh\necho '{hello}'\n{serve}\n{finish}\n")
+        os.chmod(path, 0o755)
+
+    def test_its_figures_stand_beside_ours(self):
+        self.peer()
+        page = self.write_page(MARKS[0] + MARKS[1])
+        peer = json.loads(self.bench(SCENE, "--json", "-o", page).stdout)["scenes"][0]["peer"]
+        self.assertEqual((peer["name"], peer["trace_ms"], peer["build_ms"]), ("sham", 2.5, 3))
+        self.assertEqual((peer["differing_pixels"], peer["pixels_off_by_more_than_1"]), (0, 0))
+        table = self.read(page)
+        self.assertRegex(table, r"\| minimal\.json \| .* 2\.50 \| .* 25 % \| 0, 0 \|")
+        self.assertIn("| packets of 16; single rays; none |", table)
+        self.assertIn("The geometric mean of the ratios is **", table)
+
+    @unittest.skipUnless(SOAK, "only in the soak")
+    def test_pixels_that_differ_are_counted(self):
+        self.peer(finish=self.FINISH.replace('"$1"', Error.SCENE))
+        peer = json.loads(self.bench(SCENE, "--json").stdout)["scenes"][0]["peer"]
+        self.assertGreater(peer["differing_pixels"], 0)
+        self.assertLessEqual(peer["pixels_off_by_more_than_1"], peer["differing_pixels"])
+
+    @unittest.skipUnless(SOAK, "only in the soak")
+    def test_one_that_fails_is_told_of(self):
+        for fault, message in (({"hello": "no JSON"}, "does not answer"), ({"serve": "exit 0"}, "has ended"),
+                               ({"finish": "exit 1"}, "failed"), ({"finish": ""}, "peer.png: cannot be read")):
+            self.peer(**fault)
+            self.assertIn(message, self.bench(SCENE, status=1 if "peer.png" in message else 3).stderr)
+
+
+@unittest.skipUnless(SOAK, "only in the soak")
+class Ladder(BenchTest):
+    def test_every_rung_is_measured_and_the_plots_get_their_columns(self):
+        os.symlink(os.path.abspath("scenes"), os.path.join(self.folder.name, "scenes"))
+        table = self.bench("--ladder", "--folder", "files").stdout
+        for name in ("original", "cornell", "mirrors", "gallery", "menger-2", "menger-4", "city-1k", "city-200k"):
+            self.assertIn(f"| {name} |", table)
+        with open(os.path.join(self.folder.name, "files", "ladder.dat")) as file:
+            self.assertEqual(len(file.readlines()), 11)
+        with open(os.path.join(self.folder.name, "files", "scaling.dat")) as file:
+            self.assertEqual(len(file.readlines()), 12)
 
 
 class Error(BenchTest):
