@@ -4,7 +4,7 @@
  *                                                 OFF pixels of the float kernel's are off by more than 1/255
  *     double COLUMN ROW DIFFERENCE                the worst pixel where the double kernel's picture differs
  *     tree COLUMN ROW DIFFERENCE                  the same of the reference's own picture with a tree
- *     rays WHAT EXPECTED FOUND                    the pictures are equal, a count of rays is not
+ *     rays WHAT EXPECTED FOUND                    the pictures are equal, a count of rays or refined pixels is not
  *     float PIXELS OFF AWAY COLUMN ROW DIFFERENCE too many pixels are off in float: how many, how many of them are away
  *                                                 from any edge, and the worst (of those, where there are any)
  *     failed MESSAGE                              the scene does not load, or a backend fails
@@ -104,8 +104,9 @@ static bool same_counts(const RenderReport *expected, const RenderReport *found)
         {"shadow", expected->rays.shadow, found->rays.shadow},
         {"reflection", expected->rays.reflection, found->rays.reflection},
         {"light-behind", expected->skipped_light_behind, found->skipped_light_behind},
+        {"refined", expected->refined_pixels, found->refined_pixels},
     };
-    for (int i = 0; i < 4; i++)
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
         if (counts[i].expected != counts[i].found) {
             printf("rays %s %" PRIu64 " %" PRIu64 "\n", counts[i].what, counts[i].expected, counts[i].found);
             return false;

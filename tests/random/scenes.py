@@ -56,6 +56,7 @@ class Generator:
         self.files = {}
         self.snapped = self.rng.random() < 0.5
         self.extreme = self.rng.random() < 0.06 # numbers up to the format's limits, too large for a float's precision
+        self.adaptive = False
         self.tied = False # two faces lie on one another, but list their vertices in another order: then t is equal but for rounding
         self.scale = self.rng.choice([1e-9, 1e-6, 1, 1e6, 1e9] if self.extreme else [1, 1, 1, 1, 1000, 0.125, 1e-3, 7.3e4])
         self.offset = [self.scale * self.rng.choice([1e3, -1e5, 1e6]) for _ in range(3)] if self.chance(0.15) else [0, 0, 0]
@@ -304,6 +305,8 @@ class Generator:
         scene["objects"] = objects
         if self.chance(0.8):
             scene["shading"] = self.shading()
-        if self.chance(0.2):
-            scene["sampling"] = {"grid": self.rng.choice([1, 2, 3])}
+        if self.chance(0.3):
+            how = self.rng.choice(["grid", "adaptive"])
+            self.adaptive = how == "adaptive"
+            scene["sampling"] = {how: self.rng.choice([1, 2, 3, 4])}
         return Spelling(self.rng).write(self.commented(scene))
