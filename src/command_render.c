@@ -5,6 +5,7 @@
 #include "image.h"
 #include "map.h"
 #include "opencl.h"
+#include "output.h"
 #include "progress.h"
 #include "reference_render.h"
 #include "scene_json.h"
@@ -14,7 +15,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 /* What stands at the receiving end of the bands. */
 typedef struct Painter {
@@ -54,11 +54,9 @@ static char *default_output(const char *scene_path, Error *error)
     return output;
 }
 
-/* A slip of the hand, `-o scene.json`, must not cost the scene. */
 static bool spare_scene(const char *scene_path, const char *output, Error *error)
 {
-    struct stat a, b;
-    if (stat(scene_path, &a) == 0 && stat(output, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino)
+    if (output_replaces(output, scene_path))
         return error_set(error, ERROR_USAGE, "the picture %s would replace the scene itself; choose another -o",
                          output);
     return true;

@@ -8,7 +8,6 @@
 #include "walkthrough_formats.h"
 
 #include <string.h>
-#include <sys/stat.h>
 
 /* To add a format: its writer, its name in WalkFormat and set_format (option_table), its line here in the same order. */
 static WalkWriter *const writers[] = {walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj,
@@ -29,12 +28,6 @@ static bool check_request(const Options *options, const Scene *scene, Error *err
     return true;
 }
 
-static bool is_same_file(const char *a, const char *b)
-{
-    struct stat x, y;
-    return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
-}
-
 static bool write_file(const Options *options, const Walkthrough *walk, Error *error)
 {
     WalkWriter *writer = writers[options->format];
@@ -44,7 +37,7 @@ static bool write_file(const Options *options, const Walkthrough *walk, Error *e
         style.colour = ink_wants_colour(stdout);
         return writer(stdout, walk, style, error);
     }
-    if (is_same_file(options->operands[0], path))
+    if (output_replaces(path, options->operands[0]))
         return error_set(error, ERROR_USAGE, "the walkthrough %s would replace the scene itself; choose another -o",
                          path);
     Output output;

@@ -79,6 +79,12 @@ static bool open_file(Output *output, Error *error)
     return output->file != NULL;
 }
 
+bool output_replaces(const char *path, const char *input)
+{
+    struct stat a, b;
+    return stat(path, &a) == 0 && stat(input, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
 bool output_open(Output *output, const char *path, const char *what, Error *error)
 {
     *output = (Output){.what = what, .path = strdup(path), .target = realpath(path, NULL)};

@@ -16,6 +16,9 @@ typedef struct Output {
     char *temporary; /* NULL where the output is written in place: stdout, a device, a pipe */
 } Output;
 
+/* Whether writing to `path` would replace the file `input`: a slip of the hand, `-o scene.json`, must not cost the scene. */
+bool output_replaces(const char *path, const char *input);
+
 /* Opens the path: "-" is standard output, a device or a pipe is written to as it is, a file is replaced when all is written.
  * False with an ERROR_SYSTEM that names the file where that is not possible: a folder, no right, marked read-only. */
 bool output_open(Output *output, const char *path, const char *what, Error *error);
