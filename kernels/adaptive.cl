@@ -17,6 +17,13 @@ typedef struct Judge {
     Counters *counters;
 } Judge;
 
+INLINE int trail_face(const Trail *trail, int hit, int lane)
+{
+    MaskElement faces[LANES];
+    STORE(trail->faces[hit], faces);
+    return (int)faces[lane];
+}
+
 INLINE real largest_of(global const real *a, global const real *b)
 {
     real x = a[0] * b[0], y = a[1] * b[1], z = a[2] * b[2];
@@ -146,15 +153,15 @@ static Mask judge_light(const Judge *j, int index, Mask active)
 }
 
 /* Judges lanes whose centres took the same path. */
-static Mask judge_group(Judge *j, const Path *path, int lane, Mask group)
+static Mask judge_group(Judge *j, const Trail *trail, int lane, Mask group)
 {
     constant const Parameters *p = j->s->parameters;
     Mask refined = (Mask)0;
     real brightest = (real)view_value(j->s, VIEW_BRIGHTEST);
     int from = -1;
-    for (int hit = 0; hit < path->count && ANY(group & ~refined) && j->weight * brightest >= TOLERANCE; hit++) {
-        j->face = path_face(path, hit, lane);
-        if (j->face == PATH_ENDED)
+    for (int hit = 0; hit < trail->count && ANY(group & ~refined) && j->weight * brightest >= TOLERANCE; hit++) {
+        j->face = trail_face(trail, hit, lane);
+        if (j->face == TRAIL_ENDED)
             break;
         refined |= judge_hit(j, from, group & ~refined);
         if (j->face < 0)
@@ -169,10 +176,10 @@ static Mask judge_group(Judge *j, const Path *path, int lane, Mask group)
 }
 
 /* The lanes that took the path of that lane. */
-INLINE Mask same_path(const Path *path, int lane, Mask active)
+INLINE Mask same_trail(const Trail *trail, int lane, Mask active)
 {
-    for (int hit = 0; hit < path->count; hit++)
-        active &= IS(path->faces[hit] == (Mask)path_face(path, hit, lane));
+    for (int hit = 0; hit < trail->count; hit++)
+        active &= IS(trail->faces[hit] == (Mask)trail_face(trail, hit, lane));
     return active;
 }
 
@@ -217,13 +224,13 @@ static Beam beam_of_pixels(const Shading *s, WideVec c, Wide columns, Wide rows,
 }
 
 /* The lanes whose pixels need more than their centre, whose ray took the path. */
-static Mask judge_pixels(const Geometry *g, const Shading *s, const Path *path, WideVec c, Wide columns, Wide rows, Mask active,
+static Mask judge_pixels(const Geometry *g, const Shading *s, const Trail *trail, WideVec c, Wide columns, Wide rows, Mask active,
                          Counters *counters)
 {
     Mask refined = (Mask)0;
     for (Mask rest = active; ANY(rest);) {
         int lane = lowest_bit(mask_bits(rest));
-        Mask group = same_path(path, lane, rest);
+        Mask group = same_trail(trail, lane, rest);
         rest &= ~group;
         Judge j;
         j.g = g;
@@ -231,12 +238,23 @@ static Mask judge_pixels(const Geometry *g, const Shading *s, const Path *path, 
         j.counters = counters;
         j.weight = 1;
         j.beam = beam_of_pixels(s, c, columns, rows, lane, group);
-        refined |= judge_group(&j, path, lane, group);
+        refined |= judge_group(&j, trail, lane, group);
     }
     return refined;
 }
 
 /* --- The kernel --- */
+
+/* The directions R = Q - C to sub-pixels (i, j) of the pixels at (column, row), lane by lane: see view_direction in geometry.c. */
+static WideVec direction_to(const Shading *s, Wide column, Wide row, Wide i, Wide j)
+{
+    constant const Parameters *p = s->parameters;
+    Wide sub_column = (i + (wide)0.5) / (wide)p->grid, sub_row = (j + (wide)0.5) / (wide)p->grid;
+    Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
+    Wide y = ((wide)0.5 - (row + sub_row) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
+    return wide_add(wide_add(view_vec(s, VIEW_FORWARD), wide_scale(x, view_vec(s, VIEW_RIGHT))),
+                    wide_scale(y, view_vec(s, VIEW_UP)));
+}
 
 /* As `render` does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
 static void render_centres(const Geometry *g, const Shading *s, global uchar *rgb, global uchar *flags, Counters *counters)
@@ -248,22 +266,34 @@ static void render_centres(const Geometry *g, const Shading *s, global uchar *rg
     if (first_row >= p.band_rows)
         return;
 
-    Mask number = lane_numbers();
-    Mask column = first_column + number % TILE_COLUMNS, row = first_row + number / TILE_COLUMNS;
-    Mask active = IS(column < (Mask)p.columns) & IS(row < (Mask)p.band_rows);
-    Wide columns = MASK_TO_WIDE(column), rows = MASK_TO_WIDE(row + p.first_row);
-    Ray ray = {view_vec(s, VIEW_EYE), view_direction(s, columns, rows, (Wide)0, (Wide)0)};
-    Path path;
-    path.count = 0;
-    counters->kinds[COUNT_PRIMARY] += mask_count(active);
-    store_tile(rgb, &p, first_column, first_row, trace_path(g, s, ray, active, &path, counters));
-
-    MaskElement refined[LANES];
-    STORE(judge_pixels(g, s, &path, ray.direction, columns, rows, active, counters), refined);
-    for (int i = 0; i < LANES; i++) {
-        int c = first_column + i % TILE_COLUMNS, r = first_row + i / TILE_COLUMNS;
-        if (c < p.columns && r < p.band_rows)
-            flags[(size_t)r * (size_t)p.columns + (size_t)c] = refined[i] ? 1 : 0;
+    Apex apex = apex_at_eye(s);
+    Path paths[PACKETS];
+    Ray rays[PACKETS];
+    Trail trails[PACKETS];
+    Wide columns[PACKETS], rows[PACKETS];
+    Mask inside[PACKETS];
+    WideVec directions[PACKETS];
+    EACH_PACKET(k) {
+        Mask number = lane_numbers();
+        columns[k] = MASK_TO_WIDE(first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
+        rows[k] = MASK_TO_WIDE(p.first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
+        rays[k].origin = view_vec(s, VIEW_EYE);
+        rays[k].direction = directions[k] = direction_to(s, columns[k], rows[k], (Wide)0, (Wide)0);
+        paths[k].active = inside[k] = pixels_inside(&p, first_column, first_row, k);
+        trails[k].count = 0;
+        counters->kinds[COUNT_PRIMARY] += mask_count(inside[k]);
+    }
+    trace_paths(g, s, &apex, paths, rays, trails, counters);
+    EACH_PACKET(k) {
+        int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
+        store_packet(rgb, &p, column, row, paths[k].total);
+        MaskElement refined[LANES];
+        STORE(judge_pixels(g, s, trails + k, directions[k], columns[k], rows[k], inside[k], counters), refined);
+        for (int i = 0; i < LANES; i++) {
+            int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
+            if (c < p.columns && r < p.band_rows)
+                flags[(size_t)r * (size_t)p.columns + (size_t)c] = refined[i] ? 1 : 0;
+        }
     }
 }
 
@@ -276,25 +306,34 @@ static void refine(const Geometry *g, const Shading *s, global uchar *rgb, globa
         return;
     int pixel = list[p->refine_first + item], samples = p->grid * p->grid;
     Wide column = (Wide)(wide)(pixel % p->columns), row = (Wide)(wide)(pixel / p->columns + p->first_row);
+    Apex apex = apex_at_eye(s);
     real red = 0, green = 0, blue = 0;
-    for (int first = 0; first < samples; first += LANES) {
-        Mask number = lane_numbers() + first;
-        Wide i = MASK_TO_WIDE(number % (Mask)p->grid), j = MASK_TO_WIDE(number / (Mask)p->grid);
-        Ray ray = {view_vec(s, VIEW_EYE), view_direction(s, column, row, i, j)};
-        int count = min(samples - first, LANES);
+    for (int first = 0; first < samples; first += PACKETS * LANES) {
+        Path paths[PACKETS];
+        Ray rays[PACKETS];
+        EACH_PACKET(k) {
+            Mask number = lane_numbers() + (first + k * LANES);
+            Wide i = MASK_TO_WIDE(number % (Mask)p->grid), j = MASK_TO_WIDE(number / (Mask)p->grid);
+            rays[k].origin = view_vec(s, VIEW_EYE);
+            rays[k].direction = direction_to(s, column, row, i, j);
+            paths[k].active = IS(number < (Mask)samples);
+        }
+        int count = min(samples - first, PACKETS * LANES);
         counters->kinds[COUNT_PRIMARY] += (uint)count;
-        Vec colour = trace_path(g, s, ray, IS(number < (Mask)samples), 0, counters);
-        real r[LANES], gr[LANES], b[LANES];
-        STORE(colour.x, r);
-        STORE(colour.y, gr);
-        STORE(colour.z, b);
-        for (int k = 0; k < count; k++) { /* in the order of `render` */
-            red += r[k];
-            green += gr[k];
-            blue += b[k];
+        trace_paths(g, s, &apex, paths, rays, 0, counters);
+        for (int k = 0; k * LANES < count; k++) {
+            real r[LANES], gr[LANES], b[LANES];
+            STORE(paths[k].total.x, r);
+            STORE(paths[k].total.y, gr);
+            STORE(paths[k].total.z, b);
+            for (int i = 0; i < min(count - k * LANES, LANES); i++) { /* in the order of `render` */
+                red += r[i];
+                green += gr[i];
+                blue += b[i];
+            }
         }
     }
-    store_pixel(rgb, pixel, vec((Lanes)(red / samples), (Lanes)(green / samples), (Lanes)(blue / samples)));
+    store_pixel(rgb, pixel, red / samples, green / samples, blue / samples);
 }
 
 /* A work-item for each tile of the band; where refine_count says that there are pixels to refine, one for each of them. Both

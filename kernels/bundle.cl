@@ -13,6 +13,8 @@ typedef struct Tree {
     global const int *ints;
 } Tree;
 
+#define REACH_ALL ((real)1e30f)
+
 #if ACCEL != ACCEL_NONE
 
 /* What bounds all rays of a bundle on one axis, the directions scaled to a largest component of 1. */
@@ -27,21 +29,18 @@ typedef struct Bundle {
     real reach; /* no ray of the bundle goes farther than this */
 } Bundle;
 
-#define REACH_ALL ((real)1e30f)
 #define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING)) /* more than the rounding of what follows could take away */
 
 INLINE real lowest(Lanes x, Mask active) { return lanes_lowest(active ? x : (Lanes)REACH_ALL); }
 INLINE real highest(Lanes x, Mask active) { return -lowest(-x, active); }
 
-INLINE Slab slab(Lanes origin, Lanes direction, Mask active, bool shared_origin)
+/* From the lowest and highest origin and direction. */
+INLINE Slab slab(real origin_low, real origin_high, real low, real high)
 {
     Slab s;
-    real low = lowest(direction, active), high = highest(direction, active);
-    s.origin_low = shared_origin ? first_lane(origin) : lowest(origin, active);
-    s.origin_high = shared_origin ? s.origin_low : highest(origin, active);
     /* They have been rounded to real. */
-    s.origin_low -= 2 * REAL_ROUNDING * fabs(s.origin_low);
-    s.origin_high += 2 * REAL_ROUNDING * fabs(s.origin_high);
+    s.origin_low = origin_low - 2 * REAL_ROUNDING * fabs(origin_low);
+    s.origin_high = origin_high + 2 * REAL_ROUNDING * fabs(origin_high);
     s.sign = low > 0 ? 1 : high < 0 ? -1 : 0;
     /* Directions that differ in sign, or are 0: those below 0 come from the high plane, those above from the low one. */
     s.inverse_low = s.sign != 0 || low < 0 ? 1 / low : -(real)INFINITY;
@@ -49,15 +48,39 @@ INLINE Slab slab(Lanes origin, Lanes direction, Mask active, bool shared_origin)
     return s;
 }
 
-INLINE Bundle bundle(const Line *l, Mask active, bool shared_origin)
+/* Rays from an apex. */
+INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets)
 {
+    Lanes all = (Lanes)REACH_ALL, low[3] = {all, all, all}, high[3] = {-all, -all, -all};
+    EACH_OF(p, packets) {
+        Mask active = pencils[p].active;
+        Vec d = pencils[p].ahead;
+        Lanes xyz[3] = {d.x, d.y, d.z};
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = (active & IS(xyz[axis] < low[axis])) ? xyz[axis] : low[axis];
+            high[axis] = (active & IS(xyz[axis] > high[axis])) ? xyz[axis] : high[axis];
+        }
+    }
+    real at[3] = {a->x, a->y, a->z};
     Bundle b;
-    b.slabs[0] = slab(l->origin.x, l->scaled.x, active, shared_origin);
-    b.slabs[1] = slab(l->origin.y, l->scaled.y, active, shared_origin);
-    b.slabs[2] = slab(l->origin.z, l->scaled.z, active, shared_origin);
+    for (int axis = 0; axis < 3; axis++)
+        b.slabs[axis] = slab(at[axis] - a->spread, at[axis] + a->spread, lanes_lowest(low[axis]), -lanes_lowest(-high[axis]));
     b.reach = REACH_ALL;
     return b;
 }
+
+/* Any rays of one packet. */
+INLINE Bundle bundle_of(const Line *l, Mask active)
+{
+    Bundle b;
+    b.slabs[0] = slab(lowest(l->origin.x, active), highest(l->origin.x, active), lowest(l->scaled.x, active), highest(l->scaled.x, active));
+    b.slabs[1] = slab(lowest(l->origin.y, active), highest(l->origin.y, active), lowest(l->scaled.y, active), highest(l->scaled.y, active));
+    b.slabs[2] = slab(lowest(l->origin.z, active), highest(l->origin.z, active), lowest(l->scaled.z, active), highest(l->scaled.z, active));
+    b.reach = REACH_ALL;
+    return b;
+}
+
+INLINE void bundle_shorten(Bundle *b, real reach) { b->reach = reach < REACH_ALL ? GROWN(reach) : REACH_ALL; }
 
 /* Narrows [enter, leave] to where the bundle may be between the two planes. 0 * infinity, which is NaN, narrows nothing. */
 INLINE void cross_slab(Slab s, Lanes low, Lanes high, Lanes *enter, Lanes *leave)

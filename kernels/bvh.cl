@@ -58,7 +58,7 @@ INLINE Stack stack_of(const Tree *tree, const Bundle *b)
 INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
 
 /* The next leaf that the bundle meets, nearest first: its faces are first .. first + count - 1. False: there is none. */
-INLINE bool next_leaf(const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *counters)
+INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *counters)
 {
     while (stack->count > 0) {
         int node = stack->node[--stack->count];

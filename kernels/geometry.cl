@@ -39,18 +39,19 @@ typedef struct EdgeTest {
     Mask may, sure, with_normal;
 } EdgeTest;
 
-INLINE Lanes edge_function(const Line *l, global const real *edge)
+INLINE Lanes edge_function(const Line *l, global const real *row, int k)
 {
-    return FMA(l->direction.x, edge[0],
-               FMA(l->direction.y, edge[1],
-                   FMA(l->direction.z, edge[2],
-                       FMA(l->moment.x, edge[3], FMA(l->moment.y, edge[4], l->moment.z * edge[5])))));
+    global const real *moment = row + EDGE_MOMENT + k, *direction = row + EDGE_DIRECTION + k;
+    return FMA(l->direction.x, moment[0],
+               FMA(l->direction.y, moment[4],
+                   FMA(l->direction.z, moment[8],
+                       FMA(l->moment.x, direction[0], FMA(l->moment.y, direction[4], l->moment.z * direction[8])))));
 }
 
 INLINE EdgeTest test_edges(const Line *l, global const real *row)
 {
-    Lanes s0 = edge_function(l, row), s1 = edge_function(l, row + EDGE_REALS);
-    Lanes s2 = edge_function(l, row + 2 * EDGE_REALS), s3 = edge_function(l, row + 3 * EDGE_REALS);
+    Lanes s0 = edge_function(l, row, 0), s1 = edge_function(l, row, 1);
+    Lanes s2 = edge_function(l, row, 2), s3 = edge_function(l, row, 3);
     Lanes low = LESSER(LESSER(s0, s1), LESSER(s2, s3)), high = GREATER(GREATER(s0, s1), GREATER(s2, s3));
     Lanes bound = FMA(l->direction_bound, row[FACE_MOMENT_BOUND],
                       FMA(l->moment_bound, row[FACE_DIRECTION_BOUND], REAL_FLOOR));
@@ -207,19 +208,23 @@ static Wide plane_distance(const Geometry *g, int face, const PlaneRow *plane, W
     return settle_dot(value, g->faces + face, plane->length, &exactly, doubt);
 }
 
-/* The same for a point common to all lanes. */
-static wide plane_distance_of_point(const Geometry *g, int face, const wide *point)
+NOINLINE wide settle_distance_of_point(global const FaceRecord *record, const wide *point)
 {
-    global const FaceRecord *record = g->faces + face;
-    PlaneRow plane = plane_row(g, face);
     wide corner[3];
     face_corner(record, 0, corner);
-    wide x = point[0] - corner[0], y = point[1] - corner[1], z = point[2] - corner[2];
-    wide value = plane.x * x + plane.y * y + plane.z * z;
-    if (fabs(value) > PLAIN_ERROR(plane) * (fabs(x) + fabs(y) + fabs(z)))
-        return value;
     Exact exactly = exact_difference(point, corner);
     return cross_dot(record, &exactly);
+}
+
+/* The same for a point common to all lanes. */
+INLINE wide plane_distance_of_point(const Geometry *g, int face, const wide *point)
+{
+    global const FaceRecord *record = g->faces + face;
+    global const wide *plane = g->planes + (size_t)face * PLANE_REALS;
+    wide x = point[0] - record->vertices[0], y = point[1] - record->vertices[1], z = point[2] - record->vertices[2];
+    wide value = plane[0] * x + plane[1] * y + plane[2] * z;
+    wide bound = (plane[PLANE_ERROR] + 8 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z));
+    return fabs(value) > bound ? value : settle_distance_of_point(record, point);
 }
 
 /* Where a ray meets a plane. */
@@ -256,6 +261,23 @@ static PlaneHit plane_hit(const Geometry *g, int face, const WideVec *origin, co
     }
     if (ANY(TO_MASK(doubt)))
         plane_hit_accurate(&hit, &plane, g->faces + face, origin, direction, active);
+    return hit;
+}
+
+/* The same for rays that have one origin. */
+static PlaneHit plane_hit_from_point(const Geometry *g, int face, const WideVec *origin, const WideVec *direction, WideMask active)
+{
+    if (PLAIN_IS_POOR)
+        return plane_hit(g, face, origin, direction, active);
+    PlaneRow plane = plane_row(g, face);
+    global const float *corner = g->faces[face].vertices;
+    wide x = first_wide(origin->x) - corner[0], y = first_wide(origin->y) - corner[1], z = first_wide(origin->z) - corner[2];
+    wide distance = plane.x * x + plane.y * y + plane.z * z;
+    Wide approach = normal_dot(&plane, *direction);
+    if (fabs(distance) <= PLAIN_DOUBT * (fabs(x) + fabs(y) + fabs(z)) ||
+        ANY(TO_MASK(active & IS(fabs(approach) <= PLAIN_DOUBT * wide_magnitudes(*direction)))))
+        return plane_hit(g, face, origin, direction, active);
+    PlaneHit hit = {(Wide)distance, -distance / approach};
     return hit;
 }
 

@@ -8,12 +8,14 @@
 #if REAL_DOUBLE || HAS_DOUBLE
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 typedef double wide;
+typedef double4 wide4;
 #define WIDE_ROUNDING 0x1p-53
 #define WIDE_MIN DBL_MIN
 #define WIDE_MAX DBL_MAX
 #define WIDE_DOUBT 0x1p24 /* times the bound of arithmetic in pairs: below it, fewer than 24 bits are sure */
 #else
 typedef float wide;
+typedef float4 wide4;
 #define WIDE_ROUNDING 0x1p-24f
 #define WIDE_MIN FLT_MIN
 #define WIDE_MAX FLT_MAX
@@ -46,6 +48,10 @@ typedef float8 real8;
 #define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
 #define PLAIN_DOUBT (wide)0x1p-20f
 
+/* One work-item holds PACKETS packets of LANES rays. Not unrolled: their code is long. */
+#define EACH_OF(p, count) __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < (count); p++)
+#define EACH_PACKET(p) EACH_OF(p, PACKETS)
+
 #define PASTE_(a, b) a##b
 #define PASTE(a, b) PASTE_(a, b)
 
@@ -54,6 +60,8 @@ typedef real Lanes;
 typedef wide Wide;
 typedef int Mask; /* all bits set: yes, 0: no; also holds the number of a face */
 typedef int WideMask;
+typedef int IntLanes;
+#define TO_INT(x) ((int)(x))
 #define IS(comparison) (-(comparison))
 #define TO_WIDE(x) ((wide)(x))
 #define TO_REAL(x) ((real)(x))
@@ -95,6 +103,8 @@ typedef PASTE(int, LANES) WideMask;
 #else
 #define TO_REAL(x) (x)
 #endif
+typedef PASTE(int, LANES) IntLanes;
+#define TO_INT(x) PASTE(convert_int, LANES)(x)
 #define IS(comparison) (comparison)
 #define LOAD(p) PASTE(vload, LANES)(0, p)
 #define STORE(v, p) PASTE(vstore, LANES)(v, 0, p)
@@ -145,12 +155,16 @@ static Vec vec_cross(Vec a, Vec b)
     return vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
-/* a / |a|; a zero vector stays zero. */
+/* a / |a|; a zero vector stays zero. In double as the reference does it, in float with one division instead of three. */
 static Vec vec_unit(Vec a)
 {
     Lanes squared = vec_dot(a, a);
     Lanes length = squared > (Lanes)0 ? sqrt(squared) : (Lanes)1;
+#if REAL_DOUBLE
     return vec(a.x / length, a.y / length, a.z / length);
+#else
+    return vec_scale(1 / length, a);
+#endif
 }
 
 static WideVec wide_vec(Wide x, Wide y, Wide z)
@@ -233,13 +247,21 @@ static uint mask_count(Mask mask) { return popcount(mask_bits(mask)); }
 /* The number of the lowest bit that is set; there is one. */
 static int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
 
-static real first_lane(Lanes x)
+static wide first_wide(Wide x)
 {
 #if LANES == 1
     return x;
 #else
     return x.s0;
 #endif
+}
+
+/* The number in the first lane that is set in the mask. */
+static int first_of(Mask numbers, Mask mask)
+{
+    MaskElement n[LANES];
+    STORE(numbers, n);
+    return (int)n[lowest_bit(mask_bits(mask))];
 }
 
 /* The lowest value of all lanes, by halves. */

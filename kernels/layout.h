@@ -33,14 +33,18 @@ typedef struct Parameters {
     int padding[3];
 } Parameters;
 
-/* The edge functions of a face: edge k has the moment v[k] x v[k+1] and the direction v[k+1] - v[k]. */
+/* The edge functions of a face: edge k has the moment v[k] x v[k+1] and the direction v[k+1] - v[k]. What belongs together
+ * for the four edges stands side by side. */
 enum {
-    EDGE_MOMENT = 0,    /* 3 */
-    EDGE_DIRECTION = 3, /* 3 */
-    EDGE_REALS = 6,
+    EDGE_MOMENT = 0,    /* 4 x, 4 y, 4 z */
+    EDGE_DIRECTION = 12, /* 4 x, 4 y, 4 z */
     FACE_MOMENT_BOUND = 24,    /* the largest |x|+|y|+|z| of the four moments */
     FACE_DIRECTION_BOUND = 25, /* and of the four directions */
-    FACE_REALS = 28
+    FACE_NORMAL = 26,          /* 3, unit */
+    FACE_OFFSET = 29,          /* D = -N.v0 */
+    FACE_WARP = 30,            /* no vertex is farther than this from the plane N.P + D = 0 */
+    FACE_FRONT_ONLY = 31,      /* 1: rays from behind the normal pass */
+    FACE_REALS = 32
 };
 
 /* Planes are rows of `wide`: double wherever the device has it. */
@@ -80,6 +84,7 @@ enum {
     VIEW_HEIGHT = 13,
     VIEW_BACKGROUND = 14, /* 3, RGB */
     VIEW_BRIGHTEST = 17,  /* adaptive sampling: the most that a hit and all its mirror shows can add */
+    VIEW_LARGEST = 18,    /* no component of a primary ray's direction is larger */
     VIEW_REALS = 20
 };
 

@@ -1,7 +1,10 @@
 /* The kernels: `render` turns a tile of pixels per work-item into bytes, `cast` intersects a list of rays. */
 
-/* TILE_COLUMNS x TILE_ROWS = LANES pixels: the tile that one work-item renders, as the host's build options say.
+/* A packet is PACKET_COLUMNS x PACKET_ROWS = LANES pixels; the tile that one work-item renders is PACKETS of them,
+ * PACKETS_ACROSS side by side, as the host's build options say.
  * The host says, too, how large it takes the shared structs to be; an array of negative length stops the build. */
+enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PACKETS_ACROSS * PACKET_ROWS };
+
 typedef char FaceRecordHasTheHostsSize[sizeof(FaceRecord) == FACE_RECORD_BYTES ? 1 : -1];
 typedef char ParametersHasTheHostsSize[sizeof(Parameters) == PARAMETERS_BYTES ? 1 : -1];
 
@@ -12,86 +15,76 @@ static WideVec view_vec(const Shading *s, int column)
     return wide_vec((Wide)view_value(s, column), (Wide)view_value(s, column + 1), (Wide)view_value(s, column + 2));
 }
 
-/* The direction R = Q - C to sub-pixel (i, j) of each lane's pixel: see view_direction in geometry.c. */
-static WideVec view_direction(const Shading *s, Wide column, Wide row, Wide i, Wide j)
+/* Where packet k begins in its tile. */
+#define PACKET_COLUMN(k) ((k) % PACKETS_ACROSS * PACKET_COLUMNS)
+#define PACKET_ROW(k) ((k) / PACKETS_ACROSS * PACKET_ROWS)
+
+INLINE Apex apex_at_eye(const Shading *s)
+{
+    wide eye[3] = {view_value(s, VIEW_EYE), view_value(s, VIEW_EYE + 1), view_value(s, VIEW_EYE + 2)};
+    return apex_at(eye, 0, s->view[VIEW_LARGEST]);
+}
+
+/* The places of the tile's columns and rows on the screen: see view_direction in geometry.c. */
+typedef struct ScreenPlaces {
+    wide x[TILE_COLUMNS], y[TILE_ROWS];
+} ScreenPlaces;
+
+/* For the sub-pixels (i, j) of each pixel's grid. */
+INLINE ScreenPlaces screen_places(const Shading *s, int first_column, int first_row, int i, int j)
 {
     constant const Parameters *p = s->parameters;
-    Wide sub_column = (i + (wide)0.5) / (wide)p->grid, sub_row = (j + (wide)0.5) / (wide)p->grid;
-    Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
-    Wide y = ((wide)0.5 - (row + sub_row) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
-    return wide_add(wide_add(view_vec(s, VIEW_FORWARD), wide_scale(x, view_vec(s, VIEW_RIGHT))),
-                    wide_scale(y, view_vec(s, VIEW_UP)));
+    wide sub_column = (i + (wide)0.5) / p->grid, sub_row = (j + (wide)0.5) / p->grid;
+    wide width = view_value(s, VIEW_WIDTH), height = view_value(s, VIEW_HEIGHT);
+    ScreenPlaces places;
+    for (int column = 0; column < TILE_COLUMNS; column++)
+        places.x[column] = ((first_column + column + sub_column) / (wide)p->columns - (wide)0.5) * width;
+    for (int row = 0; row < TILE_ROWS; row++)
+        places.y[row] = ((wide)0.5 - (first_row + row + sub_row) / (wide)p->rows) * height;
+    return places;
 }
 
-/* The faces that each lane's ray met, in order, kept for adaptive sampling: -1 where it left the scene, PATH_ENDED where its
- * path had ended before. */
-#define PATH_ENDED -2
+/* The directions R = Q - C of packet k's rays. */
+INLINE WideVec view_direction(const Shading *s, const ScreenPlaces *places, int k)
+{
+    const wide *x = places->x + PACKET_COLUMN(k), *y = places->y + PACKET_ROW(k);
+#if LANES == 16
+    Wide across = (Wide)(vload4(0, x), vload4(0, x), vload4(0, x), vload4(0, x));
+    Wide down = (Wide)((wide4)y[0], (wide4)y[1], (wide4)y[2], (wide4)y[3]);
+#elif LANES == 8
+    Wide across = (Wide)(vload4(0, x), vload4(0, x)), down = (Wide)((wide4)y[0], (wide4)y[1]);
+#elif LANES == 4
+    Wide across = (Wide)(x[0], x[1], x[0], x[1]), down = (Wide)(y[0], y[0], y[1], y[1]);
+#else
+    Wide across = x[0], down = y[0];
+#endif
+    return wide_add(wide_add(view_vec(s, VIEW_FORWARD), wide_scale(across, view_vec(s, VIEW_RIGHT))),
+                    wide_scale(down, view_vec(s, VIEW_UP)));
+}
 
+/* The faces that each lane's ray met, in order, kept for adaptive sampling: -1 where it left the scene, TRAIL_ENDED where its
+ * path had ended before. */
 #if ADAPTIVE
 #define TRACE NOINLINE /* called twice, but compiled once */
+#define TRAIL_ENDED -2
 
-typedef struct Path {
+typedef struct Trail {
     Mask faces[PATH_MAX];
     int count;
-} Path;
+} Trail;
 
-INLINE void path_add(Path *path, Mask faces, Mask active)
+INLINE void trail_add(Trail *trails, int p, Mask faces, Mask active)
 {
-    if (path)
-        path->faces[path->count++] = active ? faces : (Mask)PATH_ENDED;
-}
-
-INLINE int path_face(const Path *path, int hit, int lane)
-{
-    MaskElement faces[LANES];
-    STORE(path->faces[hit], faces);
-    return (int)faces[lane];
+    if (trails)
+        trails[p].faces[trails[p].count++] = active ? faces : (Mask)TRAIL_ENDED;
 }
 #else
 #define TRACE static
 
-typedef int Path;
+typedef int Trail;
 
-INLINE void path_add(Path *path, Mask faces, Mask active) {}
+INLINE void trail_add(Trail *trails, int p, Mask faces, Mask active) {}
 #endif
-
-/* The colours of one primary ray per lane: the hits' illuminations, each weighted by the mirrors before it. */
-TRACE Vec trace_path(const Geometry *g, const Shading *s, Ray ray, Mask active, Path *path, Counters *counters)
-{
-    constant const Parameters *p = s->parameters;
-    WideVec eye = ray.origin;
-    Vec total = vec(0, 0, 0), background = vec_row(s->view + VIEW_BACKGROUND);
-    Lanes weight = (Lanes)1;
-    Mask left = (Mask)-1;
-    for (int bounces = 0;; bounces++) {
-        Nearest nearest = find_nearest(g, s->tree, ray, active, left, bounces == 0, counters);
-        path_add(path, nearest.face, active);
-        Mask missed = active & IS(nearest.face < (Mask)0);
-        total = vec_select(missed, vec_add(total, vec_scale(weight, background)), total);
-        active &= ~missed;
-        if (!ANY(active))
-            return total;
-
-        Surface surface = surface_of(g, s, ray, nearest, active);
-        Vec ahead = vec_unit(vec_to_real(ray.direction));
-        Vec v = p->viewer_ray ? vec(-ahead.x, -ahead.y, -ahead.z) : vec_unit(vec_to_real(wide_sub(eye, surface.point)));
-        Mask lit;
-        Vec illumination = shade(g, s, &surface, v, active, &lit, counters);
-        total = vec_select(active, vec_add(total, vec_scale(weight, illumination)), total);
-
-        if (!p->shadow_ambient)
-            active &= lit;
-        active &= IS(surface.reflection > (Lanes)0);
-        if (bounces == p->max_bounces || !ANY(active))
-            return total;
-        counters->kinds[COUNT_REFLECTION] += mask_count(active);
-        WideVec r = wide_unit(ray.direction);
-        ray.direction = wide_sub(r, wide_scale(2 * wide_dot(r, surface.normal), surface.normal));
-        ray.origin = surface.shifted;
-        weight = weight * surface.reflection;
-        left = surface.face;
-    }
-}
 
 static Mask lane_numbers(void)
 {
@@ -99,6 +92,140 @@ static Mask lane_numbers(void)
     for (int i = 0; i < LANES; i++)
         numbers[i] = i;
     return LOAD(numbers);
+}
+
+/* Which pixels of packet k of the tile are in the band. */
+INLINE Mask pixels_inside(const Parameters *p, int first_column, int first_row, int k)
+{
+    Mask number = lane_numbers();
+    Mask column = first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS;
+    Mask row = first_row + PACKET_ROW(k) + number / PACKET_COLUMNS;
+    return IS(column < (Mask)p->columns) & IS(row < (Mask)p->band_rows);
+}
+
+/* The rays of a packet on their way, and what they have brought so far. */
+typedef struct Path {
+    WideVec apex; /* the image of the eye in the mirrors so far, from which the rays seem to come */
+    Mask active, left;
+    Vec total;
+    Lanes weight;
+} Path;
+
+/* The nearest faces of rays that come from images of the eye: those that share one are searched together. */
+INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, Pencil *pencils,
+                           Nearest *nearest, Counters *counters)
+{
+    Mask rest[PACKETS];
+    EACH_PACKET(p)
+        rest[p] = paths[p].active;
+    while (any_packet(rest)) {
+        int first = 0;
+        while (!ANY(rest[first]))
+            first++;
+        wide x[LANES], y[LANES], z[LANES];
+        STORE(paths[first].apex.x, x);
+        STORE(paths[first].apex.y, y);
+        STORE(paths[first].apex.z, z);
+        int lane = lowest_bit(mask_bits(rest[first]));
+        wide image[3] = {x[lane], y[lane], z[lane]};
+        WideVec at = wide_vec((Wide)image[0], (Wide)image[1], (Wide)image[2]);
+        Lanes spread = (Lanes)0;
+        EACH_PACKET(p) {
+            /* What one image is, rounding tells apart; the bundle's spread covers it. */
+            WideVec origin = rays[p].origin, from = wide_sub(origin, at), apart = wide_sub(paths[p].apex, at);
+            Wide same = (256 * WIDE_ROUNDING) * (wide_magnitudes(at) + wide_magnitudes(from));
+            pencils[p].active = rest[p] & TO_MASK(IS(wide_magnitudes(apart) <= same));
+            rest[p] &= ~pencils[p].active;
+            WideVec d = rays[p].direction;
+            Wide begin = wide_dot(from, d) / wide_dot(d, d);
+            WideVec off = wide_sub(from, wide_scale(begin, d));
+            Wide rounding = (16 * WIDE_ROUNDING) * (wide_magnitudes(at) + wide_magnitudes(from));
+            Lanes s = TO_REAL(wide_magnitudes(off) + rounding) * (1 + 4 * REAL_ROUNDING);
+            spread = (pencils[p].active & IS(s > spread)) ? s : spread;
+            nearest[p].begin = TO_REAL(begin);
+            nearest[p].limit = 1 / nearest[p].begin;
+        }
+        Apex a = apex_at(image, -lanes_lowest(-spread), 1 + 4 * REAL_ROUNDING); /* reflected directions are unit vectors */
+        find_nearest_from(g, tree, &a, pencils, rays, nearest, counters);
+    }
+}
+
+/* The nearest faces of all paths; first from the eye, then from its images. */
+INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, const Path *paths, const Ray *rays, bool from_eye,
+                         Nearest *nearest, Counters *counters)
+{
+    Pencil pencils[PACKETS];
+    EACH_PACKET(p) {
+        pencils[p].active = paths[p].active;
+        pencils[p].left = paths[p].left;
+        pencils[p].ahead = vec_to_real(rays[p].direction);
+        nearest[p] = nothing_yet();
+    }
+    if (from_eye)
+        find_nearest_from(g, tree, eye, pencils, rays, nearest, counters);
+    else
+        find_reflected(g, tree, paths, rays, pencils, nearest, counters);
+}
+
+/* Sets each path's total to its hits' illuminations, each weighted by the mirrors before it. All rays start at the eye, the
+ * apex. trails: one per packet, or NULL. */
+TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, Path *paths, Ray *rays, Trail *trails,
+                       Counters *counters)
+{
+    constant const Parameters *parameters = s->parameters;
+    WideVec eye = rays[0].origin;
+    Vec background = vec_row(s->view + VIEW_BACKGROUND);
+    EACH_PACKET(p) {
+        paths[p].apex = eye;
+        paths[p].left = (Mask)-1;
+        paths[p].total = vec(0, 0, 0);
+        paths[p].weight = (Lanes)1;
+    }
+    for (int bounces = 0;; bounces++) {
+        Nearest nearest[PACKETS];
+        find_nearest(g, s->tree, apex, paths, rays, bounces == 0, nearest, counters);
+
+        Surface surfaces[PACKETS];
+        WideVec shifted[PACKETS];
+        Vec v[PACKETS], illumination[PACKETS];
+        Mask active[PACKETS], lit[PACKETS];
+        EACH_PACKET(p) {
+            Path *path = paths + p;
+            trail_add(trails, p, nearest[p].face, path->active);
+            Mask missed = path->active & IS(nearest[p].face < (Mask)0);
+            path->total = vec_select(missed, vec_add(path->total, vec_scale(path->weight, background)), path->total);
+            path->active &= ~missed;
+            active[p] = path->active;
+            find_surface(g, s, rays + p, bounces == 0, nearest[p].face, nearest[p].with_normal, path->active, surfaces + p, shifted + p);
+            WideVec d = rays[p].direction;
+            v[p] = vec_unit(vec_to_real(parameters->viewer_ray ? wide_vec(-d.x, -d.y, -d.z) : wide_sub(eye, surfaces[p].point)));
+        }
+        if (!any_packet(active))
+            return;
+        shade(g, s, surfaces, shifted, v, active, illumination, lit, counters);
+
+        EACH_PACKET(p) {
+            Path *path = paths + p;
+            path->total = vec_select(path->active, vec_add(path->total, vec_scale(path->weight, illumination[p])), path->total);
+            if (!parameters->shadow_ambient)
+                path->active &= lit[p];
+            path->active &= IS(surfaces[p].reflection > (Lanes)0);
+            active[p] = path->active;
+        }
+        if (bounces == parameters->max_bounces || !any_packet(active))
+            return;
+        EACH_PACKET(p) {
+            Path *path = paths + p;
+            const Surface *surface = surfaces + p;
+            counters->kinds[COUNT_REFLECTION] += mask_count(path->active);
+            WideVec r = wide_unit(rays[p].direction), n = wide_normal(g, surface, path->active);
+            rays[p].direction = wide_sub(r, wide_scale(2 * wide_dot(r, n), n));
+            rays[p].origin = shifted[p];
+            path->apex = wide_sub(path->apex, wide_scale(2 * wide_dot(wide_sub(path->apex, surface->point), n), n));
+            path->weight = path->weight * surface->reflection;
+            path->left = surface->face;
+        }
+    }
 }
 
 static void add_counters(volatile global uint *totals, const Counters *counters)
@@ -109,38 +236,33 @@ static void add_counters(volatile global uint *totals, const Counters *counters)
             atomic_add(stripe + kind, counters->kinds[kind]);
 }
 
-/* floor(255 c + 0.5) of the clamped colours, as in light.c. */
-static void colour_to_bytes(Lanes c, int *bytes)
+/* floor(255 c + 0.5) of the clamped colour, as in light.c. */
+INLINE IntLanes colour_to_byte(Lanes c)
 {
     c = c > (Lanes)0 ? c : (Lanes)0;
     c = c < (Lanes)1 ? c : (Lanes)1;
-    c = floor((real)255 * c + (real)0.5);
-#if LANES == 1
-    bytes[0] = (int)c;
-#else
-    PASTE(vstore, LANES)(PASTE(convert_int, LANES)(c), 0, bytes);
-#endif
+    return TO_INT((real)255 * c + (real)0.5); /* at least 0: cutting off is floor */
 }
 
 #ifdef LINEAR
-/* Puts the first lane's colour at that place of the picture. */
-static void store_pixel(global uchar *picture, int place, Vec colour)
+/* Puts a colour at that place of the picture. */
+static void store_pixel(global uchar *picture, int place, real red, real green, real blue)
 {
     global real *out = (global real *)picture + (size_t)place * 3;
-    out[0] = first_lane(colour.x);
-    out[1] = first_lane(colour.y);
-    out[2] = first_lane(colour.z);
+    out[0] = red;
+    out[1] = green;
+    out[2] = blue;
 }
 
 /* With this build option the picture is three reals a pixel, as they are, instead of three bytes. */
-static void store_tile(global uchar *picture, const Parameters *p, int first_column, int first_row, Vec colour)
+static void store_packet(global uchar *picture, const Parameters *p, int first_column, int first_row, Vec colour)
 {
     real red[LANES], green[LANES], blue[LANES];
     STORE(colour.x, red);
     STORE(colour.y, green);
     STORE(colour.z, blue);
     for (int lane = 0; lane < LANES; lane++) {
-        int column = first_column + lane % TILE_COLUMNS, row = first_row + lane / TILE_COLUMNS;
+        int column = first_column + lane % PACKET_COLUMNS, row = first_row + lane / PACKET_COLUMNS;
         if (column >= p->columns || row >= p->band_rows)
             continue;
         global real *out = (global real *)picture + ((size_t)row * (size_t)p->columns + (size_t)column) * 3;
@@ -150,32 +272,54 @@ static void store_tile(global uchar *picture, const Parameters *p, int first_col
     }
 }
 #else
-static void store_pixel(global uchar *rgb, int place, Vec colour)
+INLINE uchar value_to_byte(real c)
 {
-    int red[LANES], green[LANES], blue[LANES];
-    colour_to_bytes(colour.x, red);
-    colour_to_bytes(colour.y, green);
-    colour_to_bytes(colour.z, blue);
-    global uchar *out = rgb + (size_t)place * 3;
-    out[0] = (uchar)red[0];
-    out[1] = (uchar)green[0];
-    out[2] = (uchar)blue[0];
+    c = c > 0 ? c : 0;
+    c = c < 1 ? c : 1;
+    return (uchar)((real)255 * c + (real)0.5);
 }
 
-static void store_tile(global uchar *rgb, const Parameters *p, int first_column, int first_row, Vec colour)
+static void store_pixel(global uchar *rgb, int place, real red, real green, real blue)
 {
-    int red[LANES], green[LANES], blue[LANES];
-    colour_to_bytes(colour.x, red);
-    colour_to_bytes(colour.y, green);
-    colour_to_bytes(colour.z, blue);
-    int columns = min(TILE_COLUMNS, p->columns - first_column), rows = min(TILE_ROWS, p->band_rows - first_row);
+    global uchar *out = rgb + (size_t)place * 3;
+    out[0] = value_to_byte(red);
+    out[1] = value_to_byte(green);
+    out[2] = value_to_byte(blue);
+}
+
+/* Four pixels side by side. */
+INLINE void store_four(int4 packed, global uchar *out)
+{
+    uchar16 bytes = as_uchar16(packed);
+    vstore8(bytes.s01245689, 0, out);
+    vstore4(bytes.sacde, 0, out + 8);
+}
+
+static void store_packet(global uchar *rgb, const Parameters *p, int first_column, int first_row, Vec colour)
+{
+    /* Red is the lowest byte of a pixel's number. */
+    IntLanes packed = colour_to_byte(colour.x) | colour_to_byte(colour.y) << 8 | colour_to_byte(colour.z) << 16;
+    int columns = min(PACKET_COLUMNS, p->columns - first_column), rows = min(PACKET_ROWS, p->band_rows - first_row);
+#if LANES == 16 && defined(__ENDIAN_LITTLE__)
+    if (columns == 4 && rows == 4) {
+        global uchar *out = rgb + ((size_t)first_row * (size_t)p->columns + (size_t)first_column) * 3;
+        size_t stride = (size_t)p->columns * 3;
+        store_four(packed.s0123, out);
+        store_four(packed.s4567, out + stride);
+        store_four(packed.s89ab, out + 2 * stride);
+        store_four(packed.scdef, out + 3 * stride);
+        return;
+    }
+#endif
+    int pixels[LANES];
+    STORE(packed, pixels);
     for (int row = 0; row < rows; row++) {
         global uchar *out = rgb + ((size_t)(first_row + row) * (size_t)p->columns + (size_t)first_column) * 3;
+        const int *in = pixels + row * PACKET_COLUMNS;
         for (int column = 0; column < columns; column++) {
-            int lane = row * TILE_COLUMNS + column;
-            out[3 * column] = (uchar)red[lane];
-            out[3 * column + 1] = (uchar)green[lane];
-            out[3 * column + 2] = (uchar)blue[lane];
+            out[3 * column] = (uchar)in[column];
+            out[3 * column + 1] = (uchar)(in[column] >> 8);
+            out[3 * column + 2] = (uchar)(in[column] >> 16);
         }
     }
 }
@@ -198,19 +342,33 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
     if (first_row >= p.band_rows)
         return;
 
-    Mask number = lane_numbers();
-    Mask column = first_column + number % TILE_COLUMNS, row = first_row + number / TILE_COLUMNS;
-    Mask active = IS(column < (Mask)p.columns) & IS(row < (Mask)p.band_rows);
-    Vec sum = vec(0, 0, 0);
+    Apex apex = apex_at_eye(&s);
+    Mask inside[PACKETS];
+    Vec sum[PACKETS];
+    EACH_PACKET(k) {
+        inside[k] = pixels_inside(&p, first_column, first_row, k);
+        sum[k] = vec(0, 0, 0);
+    }
     for (int j = 0; j < p.grid; j++)
         for (int i = 0; i < p.grid; i++) {
-            Ray ray = {view_vec(&s, VIEW_EYE),
-                       view_direction(&s, MASK_TO_WIDE(column), MASK_TO_WIDE(row + p.first_row), (Wide)i, (Wide)j)};
-            counters.kinds[COUNT_PRIMARY] += mask_count(active);
-            sum = vec_add(sum, trace_path(&g, &s, ray, active, 0, &counters));
+            ScreenPlaces places = screen_places(&s, first_column, p.first_row + first_row, i, j);
+            Path paths[PACKETS];
+            Ray rays[PACKETS];
+            EACH_PACKET(k) {
+                rays[k].origin = view_vec(&s, VIEW_EYE);
+                rays[k].direction = view_direction(&s, &places, k);
+                paths[k].active = inside[k];
+                counters.kinds[COUNT_PRIMARY] += mask_count(inside[k]);
+            }
+            trace_paths(&g, &s, &apex, paths, rays, 0, &counters);
+            EACH_PACKET(k)
+                sum[k] = vec_add(sum[k], paths[k].total);
         }
     real samples = (real)p.grid * (real)p.grid;
-    store_tile(rgb, &p, first_column, first_row, vec(sum.x / samples, sum.y / samples, sum.z / samples));
+    EACH_PACKET(k) {
+        Vec mean = samples > 1 ? vec(sum[k].x / samples, sum[k].y / samples, sum[k].z / samples) : sum[k];
+        store_packet(rgb, &p, first_column + PACKET_COLUMN(k), first_row + PACKET_ROW(k), mean);
+    }
     add_counters(totals, &counters);
 }
 
@@ -231,7 +389,9 @@ kernel void cast(constant Parameters *parameters, global const FaceRecord *faces
         for (int k = 0; k < 6; k++)
             v[k][i] = rays[6 * (size_t)(first + min(i, count - 1)) + k];
     Ray ray = {wide_vec(LOAD(v[0]), LOAD(v[1]), LOAD(v[2])), wide_vec(LOAD(v[3]), LOAD(v[4]), LOAD(v[5]))};
-    Nearest nearest = find_nearest(&g, &tree, ray, IS(lane_numbers() < (Mask)count), (Mask)-1, false, &counters);
+    Mask active = IS(lane_numbers() < (Mask)count);
+    Hit nearest = ANY(active & ~same_origin(&ray)) ? find_nearest_apart(&g, &tree, &ray, active, &counters)
+                                                   : find_nearest_of_pencil(&g, &tree, &ray, active, &counters);
     MaskElement face[LANES];
     wide t[LANES];
     STORE(nearest.face, face);

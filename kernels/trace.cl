@@ -1,93 +1,185 @@
 /* The two questions that a ray asks a scene: which face is nearest, and is anything between here and the light.
- * Here is what one face answers; in which order faces are asked is the business of walk.cl. */
+ * Here is what one face answers; in which order faces are asked is the business of walk.cl. Each question has two forms: one
+ * for any rays, exact, and a fast one for rays from an apex, which leaves to the first what it is not sure of. */
 
 typedef struct Counters {
     uint kinds[COUNTER_KINDS];
 } Counters;
 
+/* --- Any rays, exactly --- */
+
 /* The nearest face so far, lane by lane. */
-typedef struct Nearest {
+typedef struct Hit {
     Wide t;
     Wide t_in_box;    /* t, or the nearest t at which the ray is in the face's box; it decides what is nearest */
     Mask face;        /* its place in the device's order, -1: none */
     Mask index;       /* its place in the scene's order, which decides between equal t */
     Mask with_normal; /* N.R > 0: the ray came from behind the normal */
-} Nearest;
+} Hit;
 
-typedef struct NearestQuery {
-    Line line;
-    Ray ray;
-    Mask active, left; /* left: the face that each ray leaves, not to be hit again */
-    Nearest nearest;
-} NearestQuery;
-
-/* Segments from many points to one target. Their lines are told the other way round: they start at the target, which they
- * share. */
-typedef struct BlockedQuery {
-    Line line; /* from the target to the points */
-    Ray ray;   /* from the points to the target */
-    wide target[3];
-    Mask active, left, blocked;
-} BlockedQuery;
-
-/* Asks face i; true if it is nearer in some lane. */
-static bool ask_nearest(const Geometry *g, NearestQuery *q, int i)
+INLINE Hit no_hit(void)
 {
-    EdgeTest edges = test_edges(&q->line, g->edges + (size_t)i * FACE_REALS);
-    edges.may &= q->active & IS(q->left != (Mask)i);
+    Hit hit = {(Wide)WIDE_MAX, (Wide)WIDE_MAX, (Mask)-1, (Mask)-1, (Mask)0};
+    return hit;
+}
+
+/* t of each active ray in the face's plane, and the t nearest to it at which the ray is in the face's box. */
+INLINE PlaneHit hit_in_box(const Geometry *g, int i, const Ray *ray, WideMask active, Wide *t_in_box, WideMask *ahead)
+{
+    PlaneHit hit = plane_hit(g, i, &ray->origin, &ray->direction, active);
+    *t_in_box = hit.t;
+    *ahead = (WideMask)-1;
+    if (!g->faces[i].flat) {
+        Interval in_box = interval_in_box(g->faces + i, ray);
+        *ahead = IS(in_box.enter <= in_box.leave);
+        *t_in_box = *t_in_box < in_box.enter ? in_box.enter : *t_in_box;
+        *t_in_box = *t_in_box > in_box.leave ? in_box.leave : *t_in_box;
+    }
+    return hit;
+}
+
+/* Asks face i in the active lanes; true if it is nearer in some lane. */
+NOINLINE bool ask_nearest(const Geometry *g, const Line *line, const Ray *ray, Mask active, int i, Hit *nearest)
+{
+    EdgeTest edges = test_edges(line, g->edges + (size_t)i * FACE_REALS);
+    edges.may &= active;
     if (!ANY(edges.may))
         return false;
     if (ANY(edges.may & ~edges.sure))
-        settle_edges(&edges, g->faces + i, &q->ray, 0);
+        settle_edges(&edges, g->faces + i, ray, 0);
     if (g->faces[i].front_only) {
         edges.may &= ~edges.with_normal;
-        if (!ANY(edges.may)) /* plane_hit wants a lane that asks */
+        if (!ANY(edges.may))
             return false;
     }
 
-    PlaneHit hit = plane_hit(g, i, &q->ray.origin, &q->ray.direction, TO_WIDE_MASK(edges.may));
+    Wide t_in_box;
+    WideMask ahead;
+    PlaneHit hit = hit_in_box(g, i, ray, TO_WIDE_MASK(edges.may), &t_in_box, &ahead);
     /* The edges have told the sign of N.R. */
-    WideMask ahead = TO_WIDE_MASK(edges.with_normal) ? IS(hit.distance < (Wide)0) : IS(hit.distance > (Wide)0);
-    Wide t_in_box = hit.t;
-    if (!g->faces[i].flat) {
-        Interval in_box = interval_in_box(g->faces + i, &q->ray);
-        ahead &= IS(in_box.enter <= in_box.leave);
-        t_in_box = t_in_box < in_box.enter ? in_box.enter : t_in_box;
-        t_in_box = t_in_box > in_box.leave ? in_box.leave : t_in_box;
-    }
+    ahead &= TO_WIDE_MASK(edges.with_normal) ? IS(hit.distance < (Wide)0) : IS(hit.distance > (Wide)0);
     Mask index = (Mask)g->faces[i].index;
-    WideMask first = IS(t_in_box == q->nearest.t_in_box) & TO_WIDE_MASK(IS(index < q->nearest.index));
+    WideMask first = IS(t_in_box == nearest->t_in_box) & TO_WIDE_MASK(IS(index < nearest->index));
     WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(hit.t <= (Wide)WIDE_MAX) &
-                      (IS(t_in_box < q->nearest.t_in_box) | first);
+                      (IS(t_in_box < nearest->t_in_box) | first);
     Mask take = TO_MASK(nearer);
-    q->nearest.t = nearer ? hit.t : q->nearest.t;
-    q->nearest.t_in_box = nearer ? t_in_box : q->nearest.t_in_box;
-    q->nearest.face = take ? (Mask)i : q->nearest.face;
-    q->nearest.index = take ? index : q->nearest.index;
-    q->nearest.with_normal = take ? edges.with_normal : q->nearest.with_normal;
+    nearest->t = nearer ? hit.t : nearest->t;
+    nearest->t_in_box = nearer ? t_in_box : nearest->t_in_box;
+    nearest->face = take ? (Mask)i : nearest->face;
+    nearest->index = take ? index : nearest->index;
+    nearest->with_normal = take ? edges.with_normal : nearest->with_normal;
     return ANY(take);
 }
 
-/* Asks face i; true if it blocks some lane. Blocked lanes are asked no more. */
-static bool ask_blocked(const Geometry *g, BlockedQuery *q, int i)
+/* Asks face i; the active lanes whose segment, from `point` to `target`, it blocks. The line is told the other way round: it
+ * starts at the target. */
+NOINLINE Mask ask_blocked(const Geometry *g, const WideVec *point, const wide *target, Mask active, int i)
 {
-    EdgeTest edges = test_edges(&q->line, g->edges + (size_t)i * FACE_REALS);
-    edges.may &= q->active & IS(q->left != (Mask)i);
-    if (!ANY(edges.may))
-        return false;
+    WideVec end = wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]);
+    Ray ray = {*point, wide_sub(end, *point)};
+    Line l = line(vec_to_real(end), vec_to_real(wide_sub(*point, end)));
+    EdgeTest edges = test_edges(&l, g->edges + (size_t)i * FACE_REALS);
+    edges.may &= active;
     if (ANY(edges.may & ~edges.sure))
-        settle_edges(&edges, g->faces + i, &q->ray, q->target);
+        settle_edges(&edges, g->faces + i, &ray, target);
     PlaneRow plane = plane_row(g, i);
-    wide end = plane_distance_of_point(g, i, q->target);
-    Wide start = plane_distance(g, i, &plane, q->ray.origin, TO_WIDE_MASK(edges.may));
+    wide end_side = plane_distance_of_point(g, i, target);
+    Wide start = plane_distance(g, i, &plane, *point, TO_WIDE_MASK(edges.may));
     WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
-    WideMask between = end < 0 ? before : end > 0 && !g->faces[i].front_only ? behind : (WideMask)0;
+    WideMask between = end_side < 0 ? before : end_side > 0 && !g->faces[i].front_only ? behind : (WideMask)0;
     if (!g->faces[i].flat) {
-        Interval in_box = interval_in_box(g->faces + i, &q->ray);
+        Interval in_box = interval_in_box(g->faces + i, &ray);
         between &= IS(in_box.enter <= in_box.leave) & IS(in_box.enter <= (Wide)1);
     }
-    Mask hit = edges.may & TO_MASK(between);
-    q->blocked |= hit;
-    q->active &= ~hit;
-    return ANY(hit);
+    return edges.may & TO_MASK(between);
+}
+
+/* --- Rays from an apex, fast --- */
+
+/* The nearest face so far, lane by lane. Depths are values of t, from the apex. */
+typedef struct Nearest {
+    Lanes low, high;    /* 1/t is between these; 0: no face yet */
+    Lanes begin, limit; /* the ray begins at this depth; 1/begin */
+    Mask face;          /* its place in the device's order, -1: none */
+    Mask with_normal;   /* N.R > 0: the ray came from behind the normal */
+} Nearest;
+
+INLINE Nearest nothing_yet(void)
+{
+    Nearest n = {(Lanes)0, (Lanes)0, (Lanes)0, (Lanes)INFINITY, (Mask)-1, (Mask)0};
+    return n;
+}
+
+/* What is known of the nearest faces, exactly, in the active lanes; -1 elsewhere. */
+static Hit exact_hit(const Geometry *g, const Ray *ray, const Nearest *nearest, Mask active)
+{
+    Hit hit = no_hit();
+    for (Mask rest = active & IS(nearest->face >= (Mask)0); ANY(rest);) {
+        int face = first_of(nearest->face, rest);
+        Mask here = rest & IS(nearest->face == (Mask)face);
+        rest &= ~here;
+        WideMask wide_here = TO_WIDE_MASK(here), ahead;
+        Wide t_in_box;
+        PlaneHit at = hit_in_box(g, face, ray, wide_here, &t_in_box, &ahead);
+        hit.t = wide_here ? at.t : hit.t;
+        hit.t_in_box = wide_here ? t_in_box : hit.t_in_box;
+        hit.face = here ? (Mask)face : hit.face;
+        hit.index = here ? (Mask)g->faces[face].index : hit.index;
+        hit.with_normal = here ? nearest->with_normal : hit.with_normal;
+    }
+    return hit;
+}
+
+/* Asks face i exactly in the lanes in doubt; true if it is nearer in some. */
+NOINLINE bool settle_nearest(const Geometry *g, const Ray *ray, Mask doubt, int i, Nearest *nearest)
+{
+    Line l = line(vec_to_real(ray->origin), vec_to_real(ray->direction));
+    Hit hit = exact_hit(g, ray, nearest, doubt);
+    if (!ask_nearest(g, &l, ray, doubt, i, &hit))
+        return false;
+    Mask take = doubt & IS(hit.face == (Mask)i);
+    Lanes inverse = 1 / (TO_REAL(hit.t_in_box) + nearest->begin);
+    nearest->low = take ? inverse * (1 - 64 * REAL_ROUNDING) : nearest->low;
+    nearest->high = take ? inverse * (1 + 64 * REAL_ROUNDING) : nearest->high;
+    nearest->face = take ? (Mask)i : nearest->face;
+    nearest->with_normal = take ? hit.with_normal : nearest->with_normal;
+    return true;
+}
+
+/* Asks face i; true if it is nearer in some lane. Comparisons are such that NaN, from overflow, is a doubt. */
+INLINE bool ask_nearest_from(const Geometry *g, const Pencil *p, const Ray *ray, const ApexFace *f, int i, Nearest *nearest)
+{
+    Lanes edge = least_edge(p->ahead, f);
+    Mask may = p->active & ~IS(edge < (Lanes)-f->edge_error) & IS(p->left != (Mask)i);
+    if (!ANY(may))
+        return false;
+    Lanes inverse = along(p->ahead, f->nx, f->ny, f->nz);
+    Lanes low = inverse - f->depth_error, high = inverse + f->depth_error;
+    may &= ~IS(high < nearest->low) & ~IS(low > nearest->limit) & IS(nearest->face != (Mask)i);
+    Mask take = may & IS(edge > (Lanes)f->edge_error) & IS(low > nearest->high) & IS(high < nearest->limit);
+    nearest->low = take ? low : nearest->low;
+    nearest->high = take ? high : nearest->high;
+    nearest->face = take ? (Mask)i : nearest->face;
+    nearest->with_normal = take ? (Mask)(f->with_normal ? -1 : 0) : nearest->with_normal;
+    Mask doubt = may & ~take;
+    bool nearer = ANY(take);
+    if (ANY(doubt))
+        nearer |= settle_nearest(g, ray, doubt, i, nearest);
+    return nearer;
+}
+
+/* Asks face i, seen from the target; the active lanes whose points it blocks. */
+INLINE Mask ask_blocked_from(const Geometry *g, const Pencil *p, const WideVec *point, const ApexFace *f, const wide *target, int i)
+{
+    Lanes edge = least_edge(p->ahead, f);
+    Mask may = p->active & ~IS(edge < (Lanes)-f->edge_error) & IS(p->left != (Mask)i);
+    if (!ANY(may))
+        return (Mask)0;
+    Lanes inverse = along(p->ahead, f->nx, f->ny, f->nz);
+    may &= ~IS(inverse + f->depth_error < p->per_end);
+    Mask blocked = may & IS(edge > (Lanes)f->edge_error) & IS(inverse - f->depth_error > p->per_end);
+    Mask doubt = may & ~blocked;
+    if (ANY(doubt))
+        blocked |= ask_blocked(g, point, target, doubt, i);
+    return blocked;
 }

@@ -1,115 +1,237 @@
 /* In which order rays ask the faces: all of them, or those in the leaves of the tree that a bundle of rays meets. */
 
-#if ACCEL != ACCEL_NONE
+#if ACCEL == ACCEL_NONE
 
-/* How far the bundle still has to look: to the farthest of its rays' nearest hits. */
-INLINE real reach_of(const NearestQuery *q)
+/* One leaf with all faces. */
+typedef int Stack;
+typedef int Bundle;
+
+INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets) { return 0; }
+INLINE Bundle bundle_of(const Line *l, Mask active) { return 0; }
+INLINE void bundle_shorten(Bundle *b, real reach) {}
+INLINE Stack stack_of(const Tree *tree, const Bundle *b) { return 1; }
+INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
+
+INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *c)
 {
-    Wide nearest = q->nearest.t_in_box;
-    Lanes t = TO_REAL(nearest < (Wide)REACH_ALL ? nearest : (Wide)REACH_ALL) * q->line.scale;
-    return GROWN(highest(t < (Lanes)REACH_ALL ? t : (Lanes)REACH_ALL, q->active));
+    *first = 0;
+    *count = g->face_count;
+    return (*stack)-- > 0;
 }
-
-INLINE void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, bool from_eye, Counters *counters)
-{
-    Bundle b = bundle(&q->line, q->active, from_eye);
-    Stack stack = stack_of(tree, &b);
-    uint lanes = mask_count(q->active);
-    for (int first, count; next_leaf(tree, &b, &stack, &first, &count, counters);) {
-        bool nearer = false;
-        for (int i = first; i < first + count; i++)
-            nearer |= ask_nearest(g, q, face_in_leaf(tree, i));
-        counters->kinds[COUNT_FACE_TESTS] += lanes * (uint)count;
-        if (nearer)
-            b.reach = reach_of(q);
-    }
-}
-
-INLINE void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, Counters *counters)
-{
-    Bundle b = bundle(&q->line, q->active, true);
-    b.reach = GROWN(highest(q->line.scale, q->active));
-    Stack stack = stack_of(tree, &b);
-    for (int first, count; next_leaf(tree, &b, &stack, &first, &count, counters);) {
-        counters->kinds[COUNT_FACE_TESTS] += mask_count(q->active) * (uint)count;
-        for (int i = first; i < first + count; i++)
-            if (ask_blocked(g, q, face_in_leaf(tree, i)) && !ANY(q->active))
-                return;
-    }
-}
-
-/* The active lanes whose direction is like that of the first active one. */
-INLINE Mask like_first(const Line *l, Mask active)
-{
-    Vec d = l->scaled;
-    real x[LANES], y[LANES], z[LANES];
-    STORE(d.x, x);
-    STORE(d.y, y);
-    STORE(d.z, z);
-    int i = lowest_bit(mask_bits(active));
-    const real like = (real)0.25f;
-    return active & IS(fabs(d.x - x[i]) <= (Lanes)like) & IS(fabs(d.y - y[i]) <= (Lanes)like) &
-           IS(fabs(d.z - z[i]) <= (Lanes)like);
-}
-
-#else
-
-INLINE void walk_nearest(const Geometry *g, const Tree *tree, NearestQuery *q, bool from_eye, Counters *counters)
-{
-    for (int i = 0; i < g->face_count; i++)
-        ask_nearest(g, q, i);
-    counters->kinds[COUNT_FACE_TESTS] += mask_count(q->active) * (uint)g->face_count;
-}
-
-INLINE void walk_blocked(const Geometry *g, const Tree *tree, BlockedQuery *q, Counters *counters)
-{
-    for (int i = 0; i < g->face_count; i++) {
-        counters->kinds[COUNT_FACE_TESTS] += mask_count(q->active);
-        if (ask_blocked(g, q, i) && !ANY(q->active))
-            return;
-    }
-}
-
-INLINE Mask like_first(const Line *l, Mask active) { return active; }
 
 #endif
 
-/* The nearest face in front of each active lane, leaving out the face that it leaves; of equal t the first in the file.
- * `from_eye` promises one origin and directions that differ little. */
-static Nearest find_nearest(const Geometry *g, const Tree *tree, Ray ray, Mask active, Mask left, bool from_eye,
-                            Counters *counters)
+/* How many faces a large group of rays may meet before it is cut into smaller ones; tuned on the ladder of scenes. */
+enum { NEAREST_BUDGET = 16, BLOCKED_BUDGET = 12 };
+#define NO_BUDGET 0xffffffffu
+#define NEAR_LEAST ((real)3e-3f) /* groups of directions so near are cut no more */
+#define NEAR_LESS ((real)0.125f)
+
+/* How far active lanes have to look: to the farthest of their nearest hits. */
+INLINE real farthest(const Nearest *n, Mask active)
 {
-    NearestQuery q;
-    q.ray = ray;
-    q.line = line(vec_to_real(ray.origin), vec_to_real(ray.direction));
-    q.left = left;
-    q.nearest.t = q.nearest.t_in_box = (Wide)WIDE_MAX;
-    q.nearest.face = q.nearest.index = (Mask)-1;
-    q.nearest.with_normal = (Mask)0;
-    for (Mask rest = active; ANY(rest); rest &= ~q.active) {
-        q.active = from_eye ? rest : like_first(&q.line, rest);
-        walk_nearest(g, tree, &q, from_eye, counters);
-    }
-    return q.nearest;
+    real lowest = lanes_lowest(active ? n->low : (Lanes)REACH_ALL);
+    return lowest > 1 / REACH_ALL ? 1 / lowest : REACH_ALL;
 }
 
-/* The active lanes whose segment from `origin` to `target` is blocked by a face strictly between the two. */
-static Mask find_blocked(const Geometry *g, const Tree *tree, WideVec origin, const wide *target, Mask active, Mask left,
-                         Counters *counters)
+/* The nearest faces ahead of the active lanes of the pencils, which come from one apex. False: after more than `budget` faces it
+ * gave up; what it has found by then is right but not all. */
+INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, const Pencil *pencils, const Ray *rays,
+                         Nearest *nearest, int packets, uint budget, Counters *counters)
 {
-    BlockedQuery q;
-    WideVec end = wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]);
-    q.ray.origin = origin;
-    q.ray.direction = wide_sub(end, origin);
-    for (int axis = 0; axis < 3; axis++)
-        q.target[axis] = target[axis];
-    q.line = line(vec_to_real(end), vec_to_real(wide_sub(origin, end)));
-    q.left = left;
-    q.blocked = (Mask)0;
-    for (Mask rest = active; ANY(rest);) {
-        q.active = like_first(&q.line, rest);
-        rest &= ~q.active;
-        walk_blocked(g, tree, &q, counters);
+    real reach[PACKETS];
+    uint lanes = 0, asked = 0;
+    EACH_OF(p, packets) {
+        uint asking = mask_count(pencils[p].active);
+        reach[p] = asking ? farthest(nearest + p, pencils[p].active) : 0;
+        lanes += asking;
     }
-    return q.blocked;
+    if (lanes == 0)
+        return true;
+    Bundle b = bundle_from(a, pencils, packets);
+    Stack stack = stack_of(tree, &b);
+    for (int first, count; next_leaf(g, tree, &b, &stack, &first, &count, counters);) {
+        asked += (uint)count;
+        for (int k = first; k < first + count; k++) {
+            int i = face_in_leaf(tree, k);
+            ApexFace face;
+            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, false, &face);
+            if (sight == SIGHT_NONE)
+                continue;
+            real farthest_reach = 0;
+            EACH_OF(p, packets) {
+                if (reach[p] > 0) {
+                    const Pencil *pencil = pencils + p;
+                    bool nearer = sight == SIGHT_CLEAR
+                                      ? ask_nearest_from(g, pencil, rays + p, &face, i, nearest + p)
+                                      : settle_nearest(g, rays + p, pencil->active & IS(pencil->left != (Mask)i), i, nearest + p);
+                    if (nearer)
+                        reach[p] = farthest(nearest + p, pencil->active);
+                    farthest_reach = GREATER(farthest_reach, reach[p]);
+                }
+            }
+            bundle_shorten(&b, farthest_reach);
+        }
+        if (asked > budget)
+            break;
+    }
+    counters->kinds[COUNT_FACE_TESTS] += lanes * asked;
+    return asked <= budget;
+}
+
+/* The same, by packets where all together meet too many faces. */
+INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, const Pencil *pencils, const Ray *rays,
+                              Nearest *nearest, Counters *counters)
+{
+    int packets = PACKETS;
+    uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
+    __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets)
+        if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, packets, budget, counters)) {
+            p = -1;
+            packets = 1;
+            budget = NO_BUDGET;
+        }
+}
+
+/* The active lanes whose direction is as like that of the first active one as `near` says, pencil by pencil. */
+INLINE void like_first(const Pencil *pencils, const Mask *rest, real near, Mask *like)
+{
+    int first = 0;
+    while (!ANY(rest[first]))
+        first++;
+    real x[LANES], y[LANES], z[LANES];
+    STORE(pencils[first].ahead.x, x);
+    STORE(pencils[first].ahead.y, y);
+    STORE(pencils[first].ahead.z, z);
+    int i = lowest_bit(mask_bits(rest[first]));
+    EACH_PACKET(p) {
+        Vec d = pencils[p].ahead;
+        like[p] = rest[p] & IS(fabs(d.x - x[i]) <= (Lanes)near) & IS(fabs(d.y - y[i]) <= (Lanes)near) &
+                  IS(fabs(d.z - z[i]) <= (Lanes)near);
+    }
+}
+
+INLINE bool any_packet(const Mask *masks)
+{
+    Mask any = masks[0];
+    for (int p = 1; p < PACKETS; p++)
+        any |= masks[p];
+    return ANY(any);
+}
+
+/* blocked: collects the active lanes of the pencils whose segments from the point to the target, an apex, a face blocks, strictly
+ * between the two; they are active no more. False: after more than `budget` faces it gave up. */
+INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, const wide *target, Pencil *pencils,
+                         const WideVec *points, Mask *blocked, uint budget, Counters *counters)
+{
+    uint asking[PACKETS], lanes = 0, asked = 0;
+    real nearest_end = REACH_ALL;
+    EACH_PACKET(p) {
+        lanes += asking[p] = mask_count(pencils[p].active);
+        real end = lanes_lowest(pencils[p].active ? pencils[p].per_end : (Lanes)REACH_ALL);
+        nearest_end = LESSER(nearest_end, end);
+    }
+    Bundle b = bundle_from(a, pencils, PACKETS);
+    bundle_shorten(&b, 1 / nearest_end);
+    Stack stack = stack_of(tree, &b);
+    for (int first, count; asked <= budget && next_leaf(g, tree, &b, &stack, &first, &count, counters);) {
+        asked += (uint)count;
+        for (int k = first; k < first + count; k++) {
+            int i = face_in_leaf(tree, k);
+            counters->kinds[COUNT_FACE_TESTS] += lanes;
+            ApexFace face;
+            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, true, &face);
+            if (sight == SIGHT_NONE)
+                continue;
+            EACH_PACKET(p) {
+                if (asking[p] == 0)
+                    continue;
+                Pencil *pencil = pencils + p;
+                Mask hit = sight == SIGHT_CLEAR
+                               ? ask_blocked_from(g, pencil, points + p, &face, target, i)
+                               : ask_blocked(g, points + p, target, pencil->active & IS(pencil->left != (Mask)i), i);
+                if (ANY(hit)) {
+                    blocked[p] |= hit;
+                    pencil->active &= ~hit;
+                    lanes -= asking[p];
+                    lanes += asking[p] = mask_count(pencil->active);
+                }
+            }
+            if (lanes == 0)
+                return true;
+        }
+    }
+    return asked <= budget;
+}
+
+/* The same for the lanes of `rest`, in groups of like directions: the more faces a group meets, the smaller the next ones. */
+INLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, Pencil *pencils, const WideVec *points,
+                         Mask *rest, Mask *blocked, Counters *counters)
+{
+    Apex a = apex_at(target, 0, 1 + 4 * REAL_ROUNDING);
+    real near = (real)0.1f;
+    EACH_PACKET(p)
+        blocked[p] = (Mask)0;
+    while (any_packet(rest)) {
+        Mask group[PACKETS];
+        like_first(pencils, rest, near, group);
+        EACH_PACKET(p) {
+            rest[p] &= ~group[p];
+            pencils[p].active = group[p];
+        }
+        bool last = near < NEAR_LEAST;
+        if (!walk_blocked(g, tree, &a, target, pencils, points, blocked, last ? NO_BUDGET : BLOCKED_BUDGET, counters)) {
+            near *= NEAR_LESS;
+            EACH_PACKET(p)
+                rest[p] |= pencils[p].active;
+        }
+    }
+}
+
+/* The nearest faces ahead of one packet of any rays, exactly. */
+static Hit find_nearest_apart(const Geometry *g, const Tree *tree, const Ray *ray, Mask active, Counters *counters)
+{
+    Line l = line(vec_to_real(ray->origin), vec_to_real(ray->direction));
+    Hit nearest = no_hit();
+    uint lanes = mask_count(active);
+    Bundle b = bundle_of(&l, active);
+    Stack stack = stack_of(tree, &b);
+    for (int first, count; next_leaf(g, tree, &b, &stack, &first, &count, counters);) {
+        bool nearer = false;
+        for (int k = first; k < first + count; k++)
+            nearer |= ask_nearest(g, &l, ray, active, face_in_leaf(tree, k), &nearest);
+        counters->kinds[COUNT_FACE_TESTS] += lanes * (uint)count;
+        if (nearer) {
+            Lanes t = TO_REAL(nearest.t_in_box < (Wide)REACH_ALL ? nearest.t_in_box : (Wide)REACH_ALL) * l.scale;
+            bundle_shorten(&b, -lanes_lowest(active ? -t : (Lanes)0));
+        }
+    }
+    return nearest;
+}
+
+/* The lanes whose ray starts where the first one's does. */
+static Mask same_origin(const Ray *ray)
+{
+    WideVec o = ray->origin;
+    return TO_MASK(IS(o.x == (Wide)first_wide(o.x)) & IS(o.y == (Wide)first_wide(o.y)) & IS(o.z == (Wide)first_wide(o.z)));
+}
+
+/* The same for rays that all start at one point. */
+static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray *ray, Mask active, Counters *counters)
+{
+    Pencil pencils[PACKETS];
+    Nearest nearest[PACKETS];
+    Ray rays[PACKETS];
+    Vec direction = vec_to_real(ray->direction);
+    EACH_PACKET(p) {
+        rays[p] = *ray;
+        pencils[p].ahead = direction;
+        pencils[p].active = p == 0 ? active : (Mask)0;
+        pencils[p].left = (Mask)-1;
+        nearest[p] = nothing_yet();
+    }
+    wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
+    Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_largest(direction) : (Lanes)0));
+    find_nearest_from(g, tree, &a, pencils, rays, nearest, counters);
+    return exact_hit(g, ray, nearest, active);
 }

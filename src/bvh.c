@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* What a step into a node costs, in face tests; the leaf size from which on a split is made even if it does not pay. */
-#define NODE_COST 1.0
+#define NODE_COST 0.5
 enum { BINS = 16, MAX_LEAF = 8, MIN_TASK = 4096, TASKS = 32 };
 
 typedef struct FaceBox {

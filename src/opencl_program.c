@@ -59,8 +59,10 @@ static bool choose_lanes(OpenclSession *session, const RenderSettings *settings,
     session->lanes = is_double ? session->info.lanes_double : session->info.lanes_float;
     if (settings->lanes > 0)
         session->lanes = settings->lanes;
-    session->tile_columns = session->lanes == 16 ? 4 : session->lanes >= 4 ? session->lanes / 2 : 1;
-    session->tile_rows = session->lanes / session->tile_columns;
+    session->packet_columns = session->lanes == 16 ? 4 : session->lanes >= 4 ? session->lanes / 2 : 1;
+    session->packets_across = session->lanes > 1 ? 2 : 1;
+    session->tile_columns = session->packet_columns * session->packets_across;
+    session->tile_rows = session->lanes / session->packet_columns * session->packets_across;
     return true;
 }
 
@@ -83,10 +85,13 @@ static void write_options(const OpenclSession *session, TreeOptions tree, Render
 {
     int accel = tree.kind == ACCEL_BVH ? 1 : tree.kind == ACCEL_KDTREE ? 2 : 0;
     snprintf(report->build_options, sizeof report->build_options,
-             "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DTILE_COLUMNS=%d -DTILE_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
+             "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DPACKETS=%d -DPACKETS_ACROSS=%d "
+             "-DPACKET_COLUMNS=%d -DPACKET_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
              "-DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
-             session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double, session->tile_columns,
-             session->tile_rows, accel, tree.node_width, tree.stack_size, (int)sizeof(FaceRecord), (int)sizeof(Parameters));
+             session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double,
+             session->packets_across * session->packets_across, session->packets_across, session->packet_columns,
+             session->lanes / session->packet_columns, accel, tree.node_width, tree.stack_size, (int)sizeof(FaceRecord),
+             (int)sizeof(Parameters));
     if (session->linear)
         strncat(report->build_options, " -DLINEAR=1", sizeof report->build_options - strlen(report->build_options) - 1);
     if (session->adaptive)

@@ -12,7 +12,9 @@ enum { OPENCL_MAX_BUFFERS = 16, OPENCL_MAX_ITEMS = 65535 };
 typedef struct OpenclSession {
     DeviceInfo info;
     Precision precision;
-    int lanes, tile_columns, tile_rows;
+    int lanes;
+    int packet_columns, packets_across; /* a packet of lanes is so wide; a tile has so many packets across and down */
+    int tile_columns, tile_rows;        /* what a work-item renders */
     bool wide_is_double; /* t comes back as double */
     bool adaptive;       /* the kernels are to hold those of adaptive sampling */
     bool linear;         /* pixels come back as three reals, not clamped, instead of three bytes */

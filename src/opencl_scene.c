@@ -49,6 +49,30 @@ static Vec3 low_part(const Reals *reals, Vec3 v)
 
 static double sum_of_magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 
+/* One of four vectors whose x, y and z stand side by side. */
+static void put_column(Reals *reals, size_t index, Vec3 v)
+{
+    put(reals, index, v.x);
+    put(reals, index + 4, v.y);
+    put(reals, index + 8, v.z);
+}
+
+/* The plane as the fast filter of rays from one point uses it: what rounding takes from N and D is in that filter's bound, how
+ * far the vertices are from the plane is in FACE_WARP. */
+static void put_filter_plane(Reals *edges, size_t row, const Face *face, const Plane *plane)
+{
+    Vec3 corner = face_vertex(face, 0);
+    double warp = 0x1p-50 * sum_of_magnitudes(corner); /* the rounding of N and D in double */
+    for (int k = 1; k < 4; k++) {
+        Vec3 to = vec3_sub(face_vertex(face, k), corner);
+        warp = fmax(warp, fabs(vec3_dot(plane->normal, to)) + 0x1p-48 * sum_of_magnitudes(to) + 0x1p-50 * sum_of_magnitudes(corner));
+    }
+    put_vec3(edges, row + FACE_NORMAL, plane->normal);
+    put(edges, row + FACE_OFFSET, -vec3_dot(plane->normal, corner));
+    put(edges, row + FACE_WARP, warp * (1 + 4 * (double)FLT_EPSILON));
+    put(edges, row + FACE_FRONT_ONLY, face->front_only);
+}
+
 /* The bounds cover the stored values' own errors: one rounding to real, which is relative to the value, and those of the
  * arithmetic in double, which are relative to |a| |direction| even where the moment cancels to nothing. */
 static void put_edges(Reals *edges, size_t row, const Face *face)
@@ -59,8 +83,8 @@ static void put_edges(Reals *edges, size_t row, const Face *face)
         int edge = k < face->vertex_count ? k : 0; /* a triangle's fourth row repeats its first edge */
         Vec3 a = face_vertex(face, edge), b = face_vertex(face, (edge + 1) % face->vertex_count);
         Vec3 direction = vec3_sub(b, a), moment = vec3_cross(a, direction); /* = a x b, with less cancellation */
-        put_vec3(edges, row + (size_t)k * EDGE_REALS + EDGE_MOMENT, moment);
-        put_vec3(edges, row + (size_t)k * EDGE_REALS + EDGE_DIRECTION, direction);
+        put_column(edges, row + EDGE_MOMENT + (size_t)k, moment);
+        put_column(edges, row + EDGE_DIRECTION + (size_t)k, direction);
         double cancelled = double_error * sum_of_magnitudes(a) * sum_of_magnitudes(direction);
         moment_bound = fmax(moment_bound, sum_of_magnitudes(moment) + cancelled);
         direction_bound = fmax(direction_bound, sum_of_magnitudes(direction));
@@ -107,6 +131,7 @@ static void pack_face(DeviceScene *packed, const Scene *scene, int index, int i)
         record->box[2 * axis + 1] = box.high[axis];
     }
     put_edges(&packed->edges, (size_t)i * FACE_REALS, face);
+    put_filter_plane(&packed->edges, (size_t)i * FACE_REALS, face, &scene->planes[index]);
     put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
 }
 
@@ -134,6 +159,15 @@ static void put_view(Reals *reals, int column, Vec3 value)
     put_vec3(reals, (size_t)(VIEW_REALS + column), low_part(reals, value));
 }
 
+/* No component of a primary ray's direction is larger. */
+static double largest_direction(const View *view)
+{
+    const Vec3 f = view->forward, r = view->right, u = view->up;
+    double x = view->width / 2, y = view->height / 2;
+    return fmax(fabs(f.x) + fabs(x * r.x) + fabs(y * u.x),
+                fmax(fabs(f.y) + fabs(x * r.y) + fabs(y * u.y), fabs(f.z) + fabs(x * r.z) + fabs(y * u.z)));
+}
+
 static void pack_view(Reals *reals, const Scene *scene)
 {
     View view = view_of(scene);
@@ -144,6 +178,7 @@ static void pack_view(Reals *reals, const Scene *scene)
     put_view(reals, VIEW_WIDTH, vec3(view.width, view.height, 0));
     put_view(reals, VIEW_BACKGROUND, scene->shading.background);
     put_view(reals, VIEW_BRIGHTEST, vec3(adaptive_brightest(scene), 0, 0));
+    put(reals, VIEW_LARGEST, largest_direction(&view) * (1 + 4 * (double)FLT_EPSILON));
 }
 
 bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Precision wide,

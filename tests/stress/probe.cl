@@ -23,8 +23,9 @@ kernel void probe_counts(constant Parameters *parameters, global const FaceRecor
     Tree tree = {0, 0};
     for (int face = 0; face < parameters->face_count; face++) {
         Geometry g = {faces + face, edges + face * FACE_REALS, planes + face * PLANE_REALS, 1};
-        Nearest nearest = find_nearest(&g, &tree, probe_ray(rays, i), (Mask)-1, (Mask)-1, true, &counters);
-        count += ANY(IS(nearest.face >= (Mask)0));
+        Ray ray = probe_ray(rays, i);
+        Hit hit = find_nearest_of_pencil(&g, &tree, &ray, (Mask)-1, &counters);
+        count += ANY(IS(hit.face >= (Mask)0));
     }
     counts[i] = count;
 }
@@ -41,7 +42,17 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     Tree tree = {0, 0};
     Geometry g = {faces, edges, planes, parameters->face_count};
     wide target[3] = {segments[6 * i + 3], segments[6 * i + 4], segments[6 * i + 5]};
-    blocked[i] = ANY(find_blocked(&g, &tree, probe_vec(segments, i), target, (Mask)-1, (Mask)left[i], &counters));
+    Pencil pencils[PACKETS];
+    WideVec points[PACKETS];
+    Mask asking[PACKETS], found[PACKETS];
+    EACH_PACKET(p) {
+        points[p] = probe_vec(segments, i);
+        asking[p] = p == 0 ? (Mask)-1 : (Mask)0;
+        pencils[p].left = (Mask)left[i];
+        aim_from_light(pencils + p, wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]), points[p]);
+    }
+    find_blocked(&g, &tree, target, pencils, points, asking, found, &counters);
+    blocked[i] = ANY(found[0]);
 }
 
 /* Where the nearest hit is, and where the next ray starts. A work-item per ray. */
@@ -58,18 +69,19 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     Geometry g = {faces, edges, planes, parameters->face_count};
     Shading s = {materials, lights, view, parameters, &tree};
     Ray ray = probe_ray(rays, i);
-    Nearest nearest = find_nearest(&g, &tree, ray, (Mask)-1, (Mask)-1, true, &counters);
+    Hit hit = find_nearest_of_pencil(&g, &tree, &ray, (Mask)-1, &counters);
     MaskElement face[LANES];
     wide parameter[LANES];
-    STORE(nearest.face, face);
-    STORE(nearest.t, parameter);
+    STORE(hit.face, face);
+    STORE(hit.t, parameter);
     hits[i] = (int)face[0];
     t[i] = parameter[0];
     if (face[0] < 0)
         return;
-    Surface surface = surface_of(&g, &s, ray, nearest, (Mask)-1);
-    Wide numbers[6] = {surface.point.x, surface.point.y, surface.point.z,
-                        surface.shifted.x, surface.shifted.y, surface.shifted.z};
+    Surface surface;
+    WideVec shifted;
+    find_surface(&g, &s, &ray, true, hit.face, hit.with_normal, (Mask)-1, &surface, &shifted);
+    Wide numbers[6] = {surface.point.x, surface.point.y, surface.point.z, shifted.x, shifted.y, shifted.z};
     for (int k = 0; k < 6; k++) {
         wide number[LANES];
         STORE(numbers[k], number);
@@ -89,7 +101,19 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
     Tree tree = {0, 0};
     Geometry g = {faces, edges, planes, parameters->face_count};
     Shading s = {materials, lights, view, parameters, &tree};
-    Vec colour = trace_path(&g, &s, probe_ray(rays, i), (Mask)-1, &counters);
+    Path paths[PACKETS];
+    Ray rays_of[PACKETS];
+    EACH_PACKET(p) {
+        rays_of[p] = probe_ray(rays, i);
+        paths[p].active = p == 0 ? (Mask)-1 : (Mask)0;
+    }
+    wide eye[3] = {rays[6 * i], rays[6 * i + 1], rays[6 * i + 2]};
+    real largest = 0;
+    for (int k = 3; k < 6; k++)
+        largest = fmax(largest, (real)fabs(rays[6 * i + k]));
+    Apex apex = apex_at(eye, 0, largest * (1 + 4 * REAL_ROUNDING));
+    trace_paths(&g, &s, &apex, paths, rays_of, 0, &counters);
+    Vec colour = paths[0].total;
     Lanes numbers[3] = {colour.x, colour.y, colour.z};
     for (int k = 0; k < 3; k++) {
         real number[LANES];
