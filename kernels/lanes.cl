@@ -182,7 +182,11 @@ static Wide wide_magnitudes(WideVec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z
 static WideVec wide_unit(WideVec a)
 {
     Wide length = sqrt(wide_dot(a, a));
+#if REAL_DOUBLE
     return wide_vec(a.x / length, a.y / length, a.z / length);
+#else
+    return wide_scale(1 / length, a);
+#endif
 }
 
 static WideVec wide_select(WideMask mask, WideVec a, WideVec b)

@@ -137,7 +137,7 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
             pencils[p].active = rest[p] & TO_MASK(IS(wide_magnitudes(apart) <= same));
             rest[p] &= ~pencils[p].active;
             WideVec d = rays[p].direction;
-            Wide begin = wide_dot(from, d) / wide_dot(d, d);
+            Wide begin = wide_dot(from, d); /* d is a unit vector */
             WideVec off = wide_sub(from, wide_scale(begin, d));
             Wide rounding = (16 * WIDE_ROUNDING) * (wide_magnitudes(at) + wide_magnitudes(from));
             Lanes s = TO_REAL(wide_magnitudes(off) + rounding) * (1 + 4 * REAL_ROUNDING);
