@@ -131,6 +131,9 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
         WideVec at = wide_vec((Wide)image[0], (Wide)image[1], (Wide)image[2]);
         Lanes spread = (Lanes)0;
         EACH_PACKET(p) {
+            pencils[p].active = (Mask)0;
+            if (!ANY(rest[p]))
+                continue;
             /* What one image is, rounding tells apart; the bundle's spread covers it. */
             WideVec origin = rays[p].origin, from = wide_sub(origin, at), apart = wide_sub(paths[p].apex, at);
             Wide same = (256 * WIDE_ROUNDING) * (wide_magnitudes(at) + wide_magnitudes(from));
@@ -156,10 +159,12 @@ INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, c
 {
     Pencil pencils[PACKETS];
     EACH_PACKET(p) {
+        nearest[p] = nothing_yet();
         pencils[p].active = paths[p].active;
+        if (!ANY(paths[p].active))
+            continue;
         pencils[p].left = paths[p].left;
         pencils[p].ahead = vec_to_real(rays[p].direction);
-        nearest[p] = nothing_yet();
     }
     if (from_eye)
         find_nearest_from(g, tree, eye, pencils, rays, nearest, counters);
@@ -196,6 +201,8 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, Pa
             path->total = vec_select(missed, vec_add(path->total, vec_scale(path->weight, background)), path->total);
             path->active &= ~missed;
             active[p] = path->active;
+            if (!ANY(path->active))
+                continue;
             find_surface(g, s, rays + p, bounces == 0, nearest[p].face, nearest[p].with_normal, path->active, surfaces + p, shifted + p);
             WideVec d = rays[p].direction;
             v[p] = vec_unit(vec_to_real(parameters->viewer_ray ? wide_vec(-d.x, -d.y, -d.z) : wide_sub(eye, surfaces[p].point)));
@@ -206,6 +213,8 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, Pa
 
         EACH_PACKET(p) {
             Path *path = paths + p;
+            if (!ANY(path->active))
+                continue;
             path->total = vec_select(path->active, vec_add(path->total, vec_scale(path->weight, illumination[p])), path->total);
             if (!parameters->shadow_ambient)
                 path->active &= lit[p];
@@ -217,6 +226,8 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, Pa
         EACH_PACKET(p) {
             Path *path = paths + p;
             const Surface *surface = surfaces + p;
+            if (!ANY(path->active))
+                continue;
             counters->kinds[COUNT_REFLECTION] += mask_count(path->active);
             WideVec r = wide_unit(rays[p].direction), n = wide_normal(g, surface, path->active);
             rays[p].direction = wide_sub(r, wide_scale(2 * wide_dot(r, n), n));

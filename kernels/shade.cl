@@ -167,6 +167,9 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
         Pencil pencils[PACKETS];
         Mask facing[PACKETS], asking[PACKETS], blocked[PACKETS];
         EACH_PACKET(p) {
+            facing[p] = asking[p] = (Mask)0;
+            if (!ANY(active[p]))
+                continue;
             facing[p] = faces_light(g, surfaces + p, position, active[p], &side);
             asking[p] = facing[p];
             counters->kinds[COUNT_LIGHT_BEHIND] += mask_count(active[p] & ~facing[p]);
