@@ -60,10 +60,11 @@ INLINE real point_length(Point p) { return (real)sqrt(point_dot(p, p)); }
 
 INLINE real beam_square(const Beam *b) { return (real)(point_dot(b->u, b->u) + point_dot(b->v, b->v)); }
 
-static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, const Beam *to_light, const Beam *to_viewer)
+static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, const Beam *to_light, const Beam *to_viewer,
+                        int packet)
 {
-    Lanes l_length = sqrt(vec_dot(to_light->real_c, to_light->real_c));
-    Lanes v_length = sqrt(vec_dot(to_viewer->real_c, to_viewer->real_c));
+    Vec l = to_light->lanes[packet].real_c, v = to_viewer->lanes[packet].real_c;
+    Lanes l_length = sqrt(vec_dot(l, l)), v_length = sqrt(vec_dot(v, v));
     Lanes l_turn = (point_length(to_light->u) + point_length(to_light->v)) / l_length;
     Lanes v_turn = (point_length(to_viewer->u) + point_length(to_viewer->v)) / v_length;
     Mask follow = IS(l_turn <= (Lanes)WIDEST) & IS(v_turn <= (Lanes)WIDEST);
@@ -72,7 +73,7 @@ static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, 
     if (specular == 0)
         return follow ? uneven : (Lanes)(diffuse + specular);
 
-    Vec sum = vec_add(vec_scale(1 / l_length, to_light->real_c), vec_scale(1 / v_length, to_viewer->real_c));
+    Vec sum = vec_add(vec_scale(1 / l_length, l), vec_scale(1 / v_length, v));
     Lanes length = sqrt(vec_dot(sum, sum)), h_turn = (l_turn / (1 - l_turn) + v_turn / (1 - v_turn)) / length;
     Mask follow_h = IS(h_turn <= (Lanes)WIDEST);
     Lanes n_dot_h = -vec_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h, angle = (real)1.1 * h_turn / (1 - h_turn);
@@ -86,33 +87,43 @@ static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, 
 
 /* --- Along the path --- */
 
-/* The lanes to which something else shows than to their centres. */
-static Mask judge_hit(Judge *j, int from, Mask active)
+/* Leaves in the group those lanes to which nothing else shows than to their centres. */
+static void judge_hit(Judge *j, int from, Mask *group)
 {
     BeamQuery q;
-    q.beam = j->beam;
+    q.beam = &j->beam;
     q.from = from;
     q.to = j->face;
     q.near.error = q.far.error = 0;
     q.near.q = q.far.q = point(0, 0, 0);
     if (from >= 0)
-        q.near = beam_plane(j->g, &q.beam, from);
+        q.near = beam_plane(j->g, q.beam, from);
     if (q.to >= 0)
-        q.far = beam_plane(j->g, &q.beam, q.to);
+        q.far = beam_plane(j->g, q.beam, q.to);
     j->plane = q.far;
     q.shadow = false;
-    q.active = active;
-    q.crossed = q.filled = (Mask)0;
+    BeamFace face;
     if (q.to >= 0)
-        q.active &= beam_cover(j->g, &q.beam, q.to, q.far.side).filled;
-    if (q.to >= 0 && from >= 0)
-        q.active &= beam_is_farther(&q.beam, &q.near, &q.far);
-    if (ANY(q.active))
+        beam_edges(j->g, q.beam, q.to, q.far.side, &face);
+    Linear beyond;
+    bool asks_beyond = q.to >= 0 && from >= 0, is_beyond = asks_beyond && farther_plane(q.beam, &q.near, &q.far, &beyond);
+    EACH_PACKET(k) {
+        q.active[k] = asks_beyond && !is_beyond ? (Mask)0 : group[k];
+        q.crossed[k] = q.filled[k] = (Mask)0;
+        if (q.to >= 0)
+            q.active[k] &= beam_cover(q.beam->lanes + k, &face).filled;
+        if (is_beyond)
+            q.active[k] &= is_negative(q.beam->lanes + k, &beyond);
+    }
+    count_asking(&q);
+    if (q.asking)
         walk_beam(j->g, j->s->tree, &q, j->counters);
-    return active & ~q.active;
+    EACH_PACKET(k)
+        group[k] = q.active[k];
 }
 
-static Mask judge_light(const Judge *j, int index, Mask active)
+/* Leaves in the group those lanes that the light reaches evenly or not at all. */
+static void judge_light(const Judge *j, int index, Mask *group)
 {
     constant const Parameters *p = j->s->parameters;
     global const real *light = j->s->lights + index * LIGHT_REALS;
@@ -120,127 +131,154 @@ static Mask judge_light(const Judge *j, int index, Mask active)
     wide at[3] = {(wide)light[0] + (wide)light[3], (wide)light[1] + (wide)light[4], (wide)light[2] + (wide)light[5]};
     wide distance = plane_distance_of_point(j->g, j->face, at);
     if ((distance > 0 ? j->plane.side : distance < 0 ? -j->plane.side : 0) <= 0)
-        return (Mask)0;
+        return;
     real diffuse = largest_of(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE);
     real specular = largest_of(material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
     real most = diffuse + specular;
     if (!p->shadow_ambient)
         most = most + largest_of(material + MATERIAL_AMBIENT, light + LIGHT_AMBIENT);
     if (j->weight * most < TOLERANCE && (p->shadow_ambient || material[MATERIAL_REFLECTION] == 0))
-        return (Mask)0;
+        return;
 
+    Beam to_light, to_eye;
     BeamQuery q;
-    q.beam = beam_from_point(j->g, &j->beam, j->face, point(at[0], at[1], at[2]));
+    beam_from_point(j->g, &j->beam, j->face, point(at[0], at[1], at[2]), &to_light);
+    q.beam = &to_light;
     q.from = -1;
     q.to = j->face;
-    q.far = beam_plane(j->g, &q.beam, j->face);
+    q.far = beam_plane(j->g, q.beam, j->face);
     q.shadow = true;
-    q.active = active;
-    q.crossed = q.filled = (Mask)0;
+    EACH_PACKET(k) {
+        q.active[k] = group[k];
+        q.crossed[k] = q.filled[k] = (Mask)0;
+    }
+    count_asking(&q);
     walk_beam(j->g, j->s->tree, &q, j->counters);
-    Mask reaches = active & ~q.crossed, mixed = active & q.crossed & ~q.filled;
-    if (!ANY(reaches))
-        return mixed;
-    Beam to_viewer = j->beam;
+    Mask reached[PACKETS];
+    EACH_PACKET(k) {
+        reached[k] = group[k] & ~q.crossed[k];
+        group[k] &= ~q.crossed[k] | q.filled[k];
+    }
+    if (!any_packet(reached))
+        return;
     if (!p->viewer_ray)
-        to_viewer = beam_from_point(j->g, &j->beam, j->face,
-                                    point(view_value(j->s, VIEW_EYE), view_value(j->s, VIEW_EYE + 1),
-                                          view_value(j->s, VIEW_EYE + 2)));
-    Point n = face_normal(j->g, j->face);
-    Lanes uneven = unevenness(diffuse, specular, material[MATERIAL_EXPONENT],
-                              vec_point(point_scale(j->plane.side, n)), &q.beam, &to_viewer);
-    return mixed | (reaches & ~IS(j->weight * uneven < (Lanes)TOLERANCE));
+        beam_from_point(j->g, &j->beam, j->face,
+                        point(view_value(j->s, VIEW_EYE), view_value(j->s, VIEW_EYE + 1), view_value(j->s, VIEW_EYE + 2)), &to_eye);
+    Vec normal = vec_point(point_scale(j->plane.side, face_normal(j->g, j->face)));
+    EACH_PACKET(k) {
+        if (!ANY(reached[k]))
+            continue;
+        Lanes uneven = unevenness(diffuse, specular, material[MATERIAL_EXPONENT], normal, q.beam,
+                                  p->viewer_ray ? &j->beam : &to_eye, k);
+        group[k] &= ~reached[k] | IS(j->weight * uneven < (Lanes)TOLERANCE);
+    }
 }
 
-/* Judges lanes whose centres took the same path. */
-static Mask judge_group(Judge *j, const Trail *trail, int lane, Mask group)
+/* Leaves in the group, whose centres took the path of a lane, those lanes for which the centre will do. */
+static void judge_group(Judge *j, const Trail *trail, int lane, Mask *group)
 {
     constant const Parameters *p = j->s->parameters;
-    Mask refined = (Mask)0;
     real brightest = (real)view_value(j->s, VIEW_BRIGHTEST);
     int from = -1;
-    for (int hit = 0; hit < trail->count && ANY(group & ~refined) && j->weight * brightest >= TOLERANCE; hit++) {
+    for (int hit = 0; hit < trail->count && any_packet(group) && j->weight * brightest >= TOLERANCE; hit++) {
         j->face = trail_face(trail, hit, lane);
         if (j->face == TRAIL_ENDED)
             break;
-        refined |= judge_hit(j, from, group & ~refined);
+        judge_hit(j, from, group);
         if (j->face < 0)
             break;
-        for (int i = 0; i < p->light_count && ANY(group & ~refined); i++)
-            refined |= judge_light(j, i, group & ~refined);
+        for (int i = 0; i < p->light_count && any_packet(group); i++)
+            judge_light(j, i, group);
         j->weight *= j->s->materials[(size_t)j->g->faces[j->face].material * MATERIAL_REALS + MATERIAL_REFLECTION];
-        j->beam = beam_mirrored(j->g, &j->beam, j->face);
+        beam_mirror(j->g, &j->beam, j->face);
         from = j->face;
     }
-    return refined;
 }
 
-/* The lanes that took the path of that lane. */
-INLINE Mask same_trail(const Trail *trail, int lane, Mask active)
+/* The lanes whose trail is that of one lane of `first`. */
+INLINE Mask same_trail(const Trail *trail, const Trail *first, int lane, Mask active)
 {
     for (int hit = 0; hit < trail->count; hit++)
-        active &= IS(trail->faces[hit] == (Mask)trail_face(trail, hit, lane));
+        active &= IS(trail->faces[hit] == (Mask)trail_face(first, hit, lane));
     return active;
 }
 
-/* The beams of a group's pixels, told from the lane's one. */
-static Beam beam_of_pixels(const Shading *s, WideVec c, Wide columns, Wide rows, int lane, Mask group)
+INLINE wide wide_at(Wide x, int lane)
 {
-    constant const Parameters *p = s->parameters;
-    Beam b;
-    wide x[LANES], y[LANES], z[LANES], across[LANES], down[LANES];
-    MaskElement in[LANES];
-    STORE(c.x, x);
-    STORE(c.y, y);
-    STORE(c.z, z);
-    STORE(columns, across);
-    STORE(rows, down);
-    STORE(group, in);
-    b.c = c;
-    b.c0 = point(x[lane], y[lane], z[lane]);
-    b.apex = point(view_value(s, VIEW_EYE), view_value(s, VIEW_EYE + 1), view_value(s, VIEW_EYE + 2));
-    b.u = point_scale(view_value(s, VIEW_WIDTH) / p->columns / 2,
-                      point(view_value(s, VIEW_RIGHT), view_value(s, VIEW_RIGHT + 1), view_value(s, VIEW_RIGHT + 2)));
-    b.v = point_scale(view_value(s, VIEW_HEIGHT) / p->rows / 2,
-                      point(view_value(s, VIEW_UP), view_value(s, VIEW_UP + 1), view_value(s, VIEW_UP + 2)));
-    b.size = point_magnitudes(b.apex);
-    b.mirrored = false;
-    beam_bounds(&b);
-    /* From one pixel's middle to the next it is 2 u, or -2 v. */
-    wide low[2] = {0, 0}, high[2] = {0, 0};
-    for (int i = 0; i < LANES; i++)
-        if (in[i]) {
-            wide a[2] = {2 * (across[i] - across[lane]), -2 * (down[i] - down[lane])};
-            for (int k = 0; k < 2; k++) {
-                low[k] = a[k] < low[k] ? a[k] : low[k];
-                high[k] = a[k] > high[k] ? a[k] : high[k];
-            }
-        }
-    for (int k = 0; k < 2; k++) {
-        b.middle[k] = (low[k] + high[k]) / 2;
-        b.extent[k] = (high[k] - low[k]) / 2 + 1;
-    }
-    return b;
+    wide values[LANES];
+    STORE(x, values);
+    return values[lane];
 }
 
-/* The lanes whose pixels need more than their centre, whose ray took the path. */
-static Mask judge_pixels(const Geometry *g, const Shading *s, const Trail *trail, WideVec c, Wide columns, Wide rows, Mask active,
+/* A tile's pixels, packet by packet: the directions to their middles, and where they are. */
+typedef struct Tile {
+    WideVec directions[PACKETS];
+    Wide columns[PACKETS], rows[PACKETS];
+} Tile;
+
+/* The beams of a group's pixels, told from that of a lane of a packet. */
+static void beam_of_pixels(const Shading *s, const Tile *tile, int packet, int lane, const Mask *group, Beam *b)
+{
+    constant const Parameters *p = s->parameters;
+    WideVec c = tile->directions[packet];
+    b->c0 = point(wide_at(c.x, lane), wide_at(c.y, lane), wide_at(c.z, lane));
+    b->apex = point(view_value(s, VIEW_EYE), view_value(s, VIEW_EYE + 1), view_value(s, VIEW_EYE + 2));
+    b->u = point_scale(view_value(s, VIEW_WIDTH) / p->columns / 2,
+                       point(view_value(s, VIEW_RIGHT), view_value(s, VIEW_RIGHT + 1), view_value(s, VIEW_RIGHT + 2)));
+    b->v = point_scale(view_value(s, VIEW_HEIGHT) / p->rows / 2,
+                       point(view_value(s, VIEW_UP), view_value(s, VIEW_UP + 1), view_value(s, VIEW_UP + 2)));
+    b->size = point_magnitudes(b->apex);
+    b->mirrored = false;
+    /* From one pixel's middle to the next it is 2 u, or -2 v. */
+    wide column = wide_at(tile->columns[packet], lane), row = wide_at(tile->rows[packet], lane);
+    wide low[2] = {0, 0}, high[2] = {0, 0};
+    EACH_PACKET(k) {
+        b->lanes[k].c = tile->directions[k];
+        wide across[LANES], down[LANES];
+        STORE(2 * (tile->columns[k] - column), across);
+        STORE(-2 * (tile->rows[k] - row), down);
+        for (uint in = mask_bits(group[k]); in; in &= in - 1) {
+            wide a[2] = {across[lowest_bit(in)], down[lowest_bit(in)]};
+            for (int i = 0; i < 2; i++) {
+                low[i] = a[i] < low[i] ? a[i] : low[i];
+                high[i] = a[i] > high[i] ? a[i] : high[i];
+            }
+        }
+    }
+    beam_bounds(b);
+    for (int i = 0; i < 2; i++) {
+        b->middle[i] = (low[i] + high[i]) / 2;
+        b->extent[i] = (high[i] - low[i]) / 2 + 1;
+    }
+}
+
+/* Leaves in `active` the lanes for whose pixels the centre will do. */
+static void judge_pixels(const Geometry *g, const Shading *s, const Trail *trails, const Tile *tile, Mask *active,
                          Counters *counters)
 {
-    Mask refined = (Mask)0;
-    for (Mask rest = active; ANY(rest);) {
-        int lane = lowest_bit(mask_bits(rest));
-        Mask group = same_trail(trail, lane, rest);
-        rest &= ~group;
-        Judge j;
-        j.g = g;
-        j.s = s;
-        j.counters = counters;
-        j.weight = 1;
-        j.beam = beam_of_pixels(s, c, columns, rows, lane, group);
-        refined |= judge_group(&j, trail, lane, group);
+    Mask rest[PACKETS];
+    EACH_PACKET(k) {
+        rest[k] = active[k];
+        active[k] = (Mask)0;
     }
-    return refined;
+    for (int first = 0; first < PACKETS; first++)
+        while (ANY(rest[first])) {
+            int lane = lowest_bit(mask_bits(rest[first]));
+            Mask group[PACKETS];
+            EACH_PACKET(k) {
+                group[k] = same_trail(trails + k, trails + first, lane, rest[k]);
+                rest[k] &= ~group[k];
+            }
+            Judge j;
+            j.g = g;
+            j.s = s;
+            j.counters = counters;
+            j.weight = 1;
+            beam_of_pixels(s, tile, first, lane, group, &j.beam);
+            judge_group(&j, trails + first, lane, group);
+            EACH_PACKET(k)
+                active[k] |= group[k];
+        }
 }
 
 /* --- The kernel --- */
@@ -270,29 +308,29 @@ static void render_centres(const Geometry *g, const Shading *s, global uchar *rg
     Path paths[PACKETS];
     Ray rays[PACKETS];
     Trail trails[PACKETS];
-    Wide columns[PACKETS], rows[PACKETS];
-    Mask inside[PACKETS];
-    WideVec directions[PACKETS];
+    Tile pixels;
+    Mask even[PACKETS];
     EACH_PACKET(k) {
         Mask number = lane_numbers();
-        columns[k] = MASK_TO_WIDE(first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
-        rows[k] = MASK_TO_WIDE(p.first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
+        pixels.columns[k] = MASK_TO_WIDE(first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
+        pixels.rows[k] = MASK_TO_WIDE(p.first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
         rays[k].origin = view_vec(s, VIEW_EYE);
-        rays[k].direction = directions[k] = direction_to(s, columns[k], rows[k], (Wide)0, (Wide)0);
-        paths[k].active = inside[k] = pixels_inside(&p, first_column, first_row, k);
+        rays[k].direction = pixels.directions[k] = direction_to(s, pixels.columns[k], pixels.rows[k], (Wide)0, (Wide)0);
+        paths[k].active = even[k] = pixels_inside(&p, first_column, first_row, k);
         trails[k].count = 0;
-        counters->kinds[COUNT_PRIMARY] += mask_count(inside[k]);
+        counters->kinds[COUNT_PRIMARY] += mask_count(even[k]);
     }
     trace_paths(g, s, &apex, paths, rays, trails, counters);
+    judge_pixels(g, s, trails, &pixels, even, counters);
     EACH_PACKET(k) {
         int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
         store_packet(rgb, &p, column, row, paths[k].total);
-        MaskElement refined[LANES];
-        STORE(judge_pixels(g, s, trails + k, directions[k], columns[k], rows[k], inside[k], counters), refined);
+        MaskElement even_lanes[LANES];
+        STORE(even[k], even_lanes);
         for (int i = 0; i < LANES; i++) {
             int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
             if (c < p.columns && r < p.band_rows)
-                flags[(size_t)r * (size_t)p.columns + (size_t)c] = refined[i] ? 1 : 0;
+                flags[(size_t)r * (size_t)p.columns + (size_t)c] = even_lanes[i] ? 0 : 1;
         }
     }
 }

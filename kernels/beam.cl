@@ -1,6 +1,6 @@
-/* Beams against faces, for adaptive sampling: all rays of a pixel at once, each lane another pixel. What src/beam.c and
- * src/beam_query.c say, with the same operations in the same order. The pixels of a group see the same faces in the same
- * order, so that their beams share all but the middle direction c, and nearly all that is asked of a face is scalar. */
+/* Beams against faces, for adaptive sampling: all rays of a pixel at once, each lane of each packet another pixel. What
+ * src/beam.c and src/beam_query.c say, with the same operations in the same order. The pixels of a group see the same faces in
+ * the same order, so that their beams share all but the middle direction c, and nearly all that is asked of a face is scalar. */
 
 #if ADAPTIVE
 
@@ -16,6 +16,12 @@
 #else
 #define REAL_SLACK (real)0x1p-20f
 #define BOX_SLACK (real)0x1p-19f
+#endif
+
+#if REAL_DOUBLE
+#define TO_INT8(m) convert_int8(m)
+#else
+#define TO_INT8(m) (m)
 #endif
 
 typedef struct Point {
@@ -59,15 +65,20 @@ INLINE int face_vertex_count(const Geometry *g, int face)
 
 /* --- Making beams --- */
 
-typedef struct Beam {
-    Point apex, u, v;
-    Point c0;                     /* the c of one of the group's pixels, */
-    wide middle[2], extent[2];      /* and where the others' beams are in u and v from there: between middle -+ half */
-    WideVec c;                    /* each pixel's own */
+/* What is each pixel's own. */
+typedef struct BeamLanes {
+    WideVec c;
     Vec real_c;
     Lanes length;
+} BeamLanes;
+
+typedef struct Beam {
+    Point apex, u, v;
+    Point c0;                  /* the c of one of the group's pixels, */
+    wide middle[2], extent[2]; /* and where the others' beams are in u and v from there: between middle -+ half */
     wide size, width;
     bool mirrored;
+    BeamLanes lanes[PACKETS];
 } Beam;
 
 INLINE Wide wide_times(Point w, WideVec d) { return (Wide)w.x * d.x + (Wide)w.y * d.y + (Wide)w.z * d.z; }
@@ -76,33 +87,36 @@ INLINE WideVec wide_point(Point p) { return wide_vec((Wide)p.x, (Wide)p.y, (Wide
 
 INLINE void beam_bounds(Beam *b)
 {
-    b->real_c = vec_to_real(b->c);
     b->width = point_magnitudes(b->u) + point_magnitudes(b->v);
-    b->length = TO_REAL(wide_magnitudes(b->c) + b->width);
+    EACH_PACKET(k) {
+        BeamLanes *lanes = b->lanes + k;
+        lanes->real_c = vec_to_real(lanes->c);
+        lanes->length = TO_REAL(wide_magnitudes(lanes->c) + b->width);
+    }
 }
 
 INLINE Point point_mirrored(Point d, Point n) { return point_sub(d, point_scale(2 * point_dot(d, n), n)); }
 
-static Beam beam_mirrored(const Geometry *g, const Beam *beam, int face)
+static void beam_mirror(const Geometry *g, Beam *beam, int face)
 {
-    Beam m = *beam;
     Point n = face_normal(g, face), corner = face_point(g, face, 0);
     wide height = point_dot(n, point_sub(beam->apex, corner));
-    m.apex = point_sub(beam->apex, point_scale(2 * height, n));
-    m.u = point_mirrored(beam->u, n);
-    m.v = point_mirrored(beam->v, n);
-    m.c0 = point_mirrored(beam->c0, n);
-    m.c = wide_sub(beam->c, wide_scale(2 * wide_times(n, beam->c), wide_point(n)));
-    wide size = point_magnitudes(m.apex) + point_magnitudes(corner);
-    m.size = beam->size > size ? beam->size : size;
-    m.mirrored = true;
-    beam_bounds(&m);
-    return m;
+    beam->apex = point_sub(beam->apex, point_scale(2 * height, n));
+    beam->u = point_mirrored(beam->u, n);
+    beam->v = point_mirrored(beam->v, n);
+    beam->c0 = point_mirrored(beam->c0, n);
+    EACH_PACKET(k) {
+        WideVec c = beam->lanes[k].c;
+        beam->lanes[k].c = wide_sub(c, wide_scale(2 * wide_times(n, c), wide_point(n)));
+    }
+    wide size = point_magnitudes(beam->apex) + point_magnitudes(corner);
+    beam->size = beam->size > size ? beam->size : size;
+    beam->mirrored = true;
+    beam_bounds(beam);
 }
 
-NOINLINE Beam beam_from_point(const Geometry *g, const Beam *beam, int face, Point x)
+NOINLINE void beam_from_point(const Geometry *g, const Beam *beam, int face, Point x, Beam *b)
 {
-    Beam b = *beam;
     Point to_vertex = point_sub(beam->apex, face_point(g, face, 0)), from_x = point_sub(beam->apex, x);
     Point n = face_normal(g, face);
     wide height = point_dot(n, to_vertex);
@@ -110,40 +124,45 @@ NOINLINE Beam beam_from_point(const Geometry *g, const Beam *beam, int face, Poi
         n = point(-n.x, -n.y, -n.z);
     height = fabs(height);
     wide grown = point_magnitudes(from_x) + point_magnitudes(to_vertex) + beam->size + point_magnitudes(x);
-    b.apex = x;
-    b.u = point_add(point_scale(-point_dot(n, beam->u), from_x), point_scale(height, beam->u));
-    b.v = point_add(point_scale(-point_dot(n, beam->v), from_x), point_scale(height, beam->v));
-    b.c0 = point_add(point_scale(-point_dot(n, beam->c0), from_x), point_scale(height, beam->c0));
-    b.c = wide_add(wide_scale(-wide_times(n, beam->c), wide_point(from_x)), wide_scale((Wide)height, beam->c));
-    b.real_c = vec_to_real(b.c);
-    b.size = point_magnitudes(x);
-    b.length = (real)grown * beam->length;
-    b.width = grown * beam->width;
-    b.mirrored = false;
-    return b;
+    b->apex = x;
+    b->u = point_add(point_scale(-point_dot(n, beam->u), from_x), point_scale(height, beam->u));
+    b->v = point_add(point_scale(-point_dot(n, beam->v), from_x), point_scale(height, beam->v));
+    b->c0 = point_add(point_scale(-point_dot(n, beam->c0), from_x), point_scale(height, beam->c0));
+    for (int i = 0; i < 2; i++) {
+        b->middle[i] = beam->middle[i];
+        b->extent[i] = beam->extent[i];
+    }
+    b->size = point_magnitudes(x);
+    b->width = grown * beam->width;
+    b->mirrored = false;
+    EACH_PACKET(k) {
+        WideVec c = beam->lanes[k].c;
+        b->lanes[k].c = wide_add(wide_scale(-wide_times(n, c), wide_point(from_x)), wide_scale((Wide)height, c));
+        b->lanes[k].real_c = vec_to_real(b->lanes[k].c);
+        b->lanes[k].length = (real)grown * beam->lanes[k].length;
+    }
 }
 
 /* --- Linear functions of the direction --- */
 
-typedef struct Range {
-    Lanes low, high;
-} Range;
+/* w.d over a beam: between w.c -+ extent, and in doubt by `doubt` for each unit of a lane's length. */
+typedef struct Linear {
+    real x, y, z;
+    real extent, doubt;
+} Linear;
 
-INLINE Lanes along_c(const Beam *b, Point w)
+/* Where w is known but for `error`. */
+INLINE Linear linear_over(const Beam *b, Point w, wide error)
 {
-    return (real)w.x * b->real_c.x + (real)w.y * b->real_c.y + (real)w.z * b->real_c.z;
+    Linear f = {(real)w.x, (real)w.y, (real)w.z, (real)(fabs(point_dot(w, b->u)) + fabs(point_dot(w, b->v))),
+                (real)(error + REAL_SLACK * point_magnitudes(w))};
+    return f;
 }
 
-INLINE Range range_of(const Beam *b, Point w)
+INLINE Lanes along_c(const BeamLanes *b, const Linear *f)
 {
-    Lanes middle = along_c(b, w);
-    real extent = (real)(fabs(point_dot(w, b->u)) + fabs(point_dot(w, b->v)));
-    Range range = {middle - extent, middle + extent};
-    return range;
+    return f->x * b->real_c.x + f->y * b->real_c.y + f->z * b->real_c.z;
 }
-
-/* The doubt about w.d, where w is known but for `error`. */
-INLINE Lanes doubt_of(const Beam *b, Point w, wide error) { return (real)(error + REAL_SLACK * point_magnitudes(w)) * b->length; }
 
 typedef struct BeamPlane {
     Point q;
@@ -168,74 +187,107 @@ NOINLINE BeamPlane beam_plane(const Geometry *g, const Beam *beam, int face)
     return plane;
 }
 
-/* The lanes for which plane b is farther along all of the beam than plane a. */
-INLINE Mask beam_is_farther(const Beam *beam, const BeamPlane *a, const BeamPlane *b)
+/* Tells by negative values for which pixels plane b is farther along all of the beam than plane a; false: for none. */
+INLINE bool farther_plane(const Beam *beam, const BeamPlane *a, const BeamPlane *b, Linear *f)
 {
     if (a->error == WIDE_MAX || b->error == WIDE_MAX)
-        return (Mask)0;
-    Point w = point_sub(a->q, b->q);
-    return IS(range_of(beam, w).high < -doubt_of(beam, w, a->error + b->error));
+        return false;
+    *f = linear_over(beam, point_sub(a->q, b->q), a->error + b->error);
+    return true;
+}
+
+INLINE Mask is_negative(const BeamLanes *b, const Linear *f)
+{
+    return IS(along_c(b, f) + f->extent < -(f->doubt * b->length));
 }
 
 /* --- Edges --- */
+
+/* A face as a beam sees it. */
+typedef struct BeamFace {
+    int count, side;
+    Linear edges[4];
+    /* On which sides of a pixel's four the corners are: l -+ across, l -+ down, but for their doubt. */
+    real l[4];
+    Linear across[4], down[4];
+} BeamFace;
+
+NOINLINE void beam_edges(const Geometry *g, const Beam *b, int face, int side, BeamFace *f)
+{
+    Point uv = point_cross(b->u, b->v);
+    real sign = point_dot(uv, b->c0) < 0 ? -1 : 1;
+    f->count = face_vertex_count(g, face);
+    f->side = side;
+    for (int k = 0; k < f->count; k++) {
+        Point corner = face_point(g, face, k), p = point_sub(corner, b->apex);
+        Point e = point_sub(face_point(g, face, k + 1 < f->count ? k + 1 : 0), corner);
+        Point pv = point_cross(p, b->v), up = point_cross(b->u, p);
+        wide error = WIDE_SLACK * (b->size + point_magnitudes(p));
+        f->edges[k] = linear_over(b, point_cross(p, e), error * point_magnitudes(e));
+        f->l[k] = sign * (real)point_dot(uv, p);
+        Linear across = {sign * (real)pv.x, sign * (real)pv.y, sign * (real)pv.z, 0,
+                         (real)(error * b->width) + REAL_SLACK * (real)(point_magnitudes(pv) + point_magnitudes(up))};
+        Linear down = {sign * (real)up.x, sign * (real)up.y, sign * (real)up.z, 0, across.doubt};
+        f->across[k] = across;
+        f->down[k] = down;
+    }
+}
 
 typedef struct BeamCover {
     Mask clear, filled;
 } BeamCover;
 
-INLINE Mask beside(const Geometry *g, const Beam *b, int face, int count)
+INLINE Mask beside(const BeamLanes *b, const BeamFace *f)
 {
-    Point uv = point_cross(b->u, b->v);
-    wide sign = point_dot(uv, b->c0) < 0 ? -1 : 1;
     Mask outside[4] = {(Mask)-1, (Mask)-1, (Mask)-1, (Mask)-1};
-    for (int k = 0; k < count; k++) {
-        Point p = point_sub(face_point(g, face, k), b->apex), pv = point_cross(p, b->v), up = point_cross(b->u, p);
-        real l = (real)(sign * point_dot(uv, p));
-        Lanes across = (real)sign * along_c(b, pv), down = (real)sign * along_c(b, up);
-        wide error = WIDE_SLACK * (b->size + point_magnitudes(p)) * b->width;
-        real extra = REAL_SLACK * (real)(point_magnitudes(pv) + point_magnitudes(up));
-        Lanes doubt = ((real)error + extra) * b->length;
-        outside[0] &= IS(l - across < -doubt);
-        outside[1] &= IS(l + across < -doubt);
-        outside[2] &= IS(l - down < -doubt);
-        outside[3] &= IS(l + down < -doubt);
+    for (int k = 0; k < f->count; k++) {
+        Lanes across = along_c(b, f->across + k), down = along_c(b, f->down + k), doubt = f->across[k].doubt * b->length;
+        outside[0] &= IS(f->l[k] - across < -doubt);
+        outside[1] &= IS(f->l[k] + across < -doubt);
+        outside[2] &= IS(f->l[k] - down < -doubt);
+        outside[3] &= IS(f->l[k] + down < -doubt);
     }
     return outside[0] | outside[1] | outside[2] | outside[3];
 }
 
-NOINLINE BeamCover beam_cover(const Geometry *g, const Beam *b, int face, int side)
+NOINLINE BeamCover beam_cover(const BeamLanes *b, const BeamFace *f)
 {
     Mask some_left = (Mask)0, some_right = (Mask)0, all_left = (Mask)-1, all_right = (Mask)-1;
-    int count = face_vertex_count(g, face);
-    for (int k = 0; k < count; k++) {
-        Point corner = face_point(g, face, k), p = point_sub(corner, b->apex);
-        Point e = point_sub(face_point(g, face, k + 1 < count ? k + 1 : 0), corner), m = point_cross(p, e);
-        Range range = range_of(b, m);
-        Lanes doubt = doubt_of(b, m, WIDE_SLACK * (b->size + point_magnitudes(p)) * point_magnitudes(e));
-        Mask left = IS(range.low > doubt), right = IS(range.high < -doubt);
+    for (int k = 0; k < f->count; k++) {
+        const Linear *edge = f->edges + k;
+        Lanes middle = along_c(b, edge), doubt = edge->doubt * b->length;
+        Mask left = IS(middle - edge->extent > doubt), right = IS(middle + edge->extent < -doubt);
         some_left |= left;
         some_right |= right;
         all_left &= left;
         all_right &= right;
     }
     BeamCover cover;
-    cover.filled = side > 0 ? all_right : side < 0 ? all_left : (Mask)0;
-    cover.clear = side > 0 ? some_left : side < 0 ? some_right : some_left & some_right;
+    cover.filled = f->side > 0 ? all_right : f->side < 0 ? all_left : (Mask)0;
+    cover.clear = f->side > 0 ? some_left : f->side < 0 ? some_right : some_left & some_right;
     if (ANY(~(cover.filled | cover.clear)))
-        cover.clear |= ~cover.filled & beside(g, b, face, count);
+        cover.clear |= ~cover.filled & beside(b, f);
     return cover;
 }
 
 /* --- One face --- */
 
 typedef struct BeamQuery {
-    Beam beam;
+    const Beam *beam;
     int from, to;
     BeamPlane near, far;
     bool shadow;
-    Mask active;          /* the lanes not answered yet */
-    Mask crossed, filled; /* the answers */
+    Mask active[PACKETS];                   /* the lanes not answered yet, */
+    uint asking;                            /* and how many they are */
+    Mask crossed[PACKETS], filled[PACKETS]; /* the answers */
 } BeamQuery;
+
+INLINE void count_asking(BeamQuery *q)
+{
+    q->asking = 0;
+    EACH_PACKET(k)
+        q->asking += mask_count(q->active[k]);
+}
 
 static bool is_on_side(const Geometry *g, int face, int of, int side)
 {
@@ -254,7 +306,7 @@ static bool is_on_side(const Geometry *g, int face, int of, int side)
 
 static void ask_beam(const Geometry *g, BeamQuery *q, int i)
 {
-    const Beam *beam = &q->beam;
+    const Beam *beam = q->beam;
     if (i == q->from || i == q->to)
         return;
     BeamPlane seen = beam_plane(g, beam, i);
@@ -262,66 +314,102 @@ static void ask_beam(const Geometry *g, BeamQuery *q, int i)
     if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && g->faces[i].front_only) ||
         (q->to >= 0 && is_on_side(g, i, q->to, -q->far.side)) || (q->from >= 0 && is_on_side(g, i, q->from, q->near.side)))
         return;
-    BeamCover cover = beam_cover(g, beam, i, seen.side);
-    Mask met = q->active & ~cover.clear;
-    if (!ANY(met))
-        return;
-    met &= ~beam_is_farther(beam, &q->far, &seen);
-    if (q->from >= 0)
-        met &= ~beam_is_farther(beam, &seen, &q->near);
-    q->crossed |= met;
-    if (q->shadow) {
-        q->filled |= met & cover.filled & beam_is_farther(beam, &seen, &q->far);
-        q->active &= ~q->filled;
-    } else {
-        q->active &= ~q->crossed;
+    BeamFace face;
+    beam_edges(g, beam, i, seen.side, &face);
+    Linear behind, before, within;
+    bool has_behind = farther_plane(beam, &q->far, &seen, &behind);
+    bool has_before = q->from >= 0 && farther_plane(beam, &seen, &q->near, &before);
+    bool has_within = q->shadow && farther_plane(beam, &seen, &q->far, &within);
+    EACH_PACKET(k) {
+        const BeamLanes *lanes = beam->lanes + k;
+        if (!ANY(q->active[k]))
+            continue;
+        BeamCover cover = beam_cover(lanes, &face);
+        Mask met = q->active[k] & ~cover.clear;
+        if (!ANY(met))
+            continue;
+        if (has_behind)
+            met &= ~is_negative(lanes, &behind);
+        if (has_before)
+            met &= ~is_negative(lanes, &before);
+        q->crossed[k] |= met;
+        if (has_within)
+            q->filled[k] |= met & cover.filled & is_negative(lanes, &within);
+        q->active[k] &= ~(q->shadow ? q->filled[k] : q->crossed[k]);
     }
+    count_asking(q);
 }
 
 /* --- The faces of a tree --- */
 
 #if ACCEL != ACCEL_NONE
 
-/* A plane, on the positive side of which nothing is wanted: w.(x - o) > 0. */
-typedef struct Cut {
-    real w[3], o[3];
-    real magnitude, size;
-} Cut;
-
-INLINE Cut cut(Point w, Point o)
-{
-    Cut c = {{(real)w.x, (real)w.y, (real)w.z}, {(real)o.x, (real)o.y, (real)o.z}, (real)point_magnitudes(w),
-             (real)point_magnitudes(o)};
-    return c;
-}
-
-/* The cuts: the sides of a beam that holds those of all lanes, and a little more than they, so that no box is left out of
- * which a face would not be; and the planes between which faces are wanted. */
+/* Planes, on the positive side of which nothing is wanted: w.(x - o) > 0. They are the sides of a beam that holds those of all
+ * lanes, and a little more than they, so that no box is left out of which a face would not be; and the planes between which
+ * faces are wanted. What is not used is 0, which leaves nothing out. */
+enum { CUTS_MAX = 8 };
 typedef struct Cuts {
-    Cut cuts[6];
+    real w[3][CUTS_MAX], o[3][CUTS_MAX];
+    real slack[CUTS_MAX], size[CUTS_MAX];
     int count;
 } Cuts;
 
-static Cuts cuts_of(const Geometry *g, const BeamQuery *q)
+INLINE void add_cut(Cuts *cuts, Point w, Point o)
 {
-    const Beam *b = &q->beam;
+    int i = cuts->count++;
+    cuts->w[0][i] = (real)w.x;
+    cuts->w[1][i] = (real)w.y;
+    cuts->w[2][i] = (real)w.z;
+    cuts->o[0][i] = (real)o.x;
+    cuts->o[1][i] = (real)o.y;
+    cuts->o[2][i] = (real)o.z;
+    cuts->slack[i] = BOX_SLACK * (real)point_magnitudes(w);
+    cuts->size[i] = (real)point_magnitudes(o);
+}
+
+static void make_cuts(const Geometry *g, const BeamQuery *q, Cuts *cuts)
+{
+    const Beam *b = q->beam;
     Point u = point_scale(b->extent[0] + (wide)0.0625f, b->u), v = point_scale(b->extent[1] + (wide)0.0625f, b->v);
     Point c = point_add(b->c0, point_add(point_scale(b->middle[0], b->u), point_scale(b->middle[1], b->v)));
     Point uv = point_cross(u, v), vc = point_cross(v, c), cu = point_cross(c, u);
     wide sign = point_dot(uv, c) < 0 ? -1 : 1;
-    Cuts cuts;
-    cuts.cuts[0] = cut(point_scale(sign, point_sub(vc, uv)), b->apex);
-    cuts.cuts[1] = cut(point_scale(-sign, point_add(vc, uv)), b->apex);
-    cuts.cuts[2] = cut(point_scale(sign, point_sub(cu, uv)), b->apex);
-    cuts.cuts[3] = cut(point_scale(-sign, point_add(cu, uv)), b->apex);
-    cuts.count = 4;
+    Cuts none = {{{0}}};
+    *cuts = none;
+    add_cut(cuts, point_scale(sign, point_sub(vc, uv)), b->apex);
+    add_cut(cuts, point_scale(-sign, point_add(vc, uv)), b->apex);
+    add_cut(cuts, point_scale(sign, point_sub(cu, uv)), b->apex);
+    add_cut(cuts, point_scale(-sign, point_add(cu, uv)), b->apex);
 #if ACCEL == ACCEL_BVH /* a box of a k-d tree may hold but a part of a face, of which another part may be elsewhere */
     if (q->to >= 0)
-        cuts.cuts[cuts.count++] = cut(point_scale(-q->far.side, face_normal(g, q->to)), face_point(g, q->to, 0));
+        add_cut(cuts, point_scale(-q->far.side, face_normal(g, q->to)), face_point(g, q->to, 0));
     if (q->from >= 0)
-        cuts.cuts[cuts.count++] = cut(point_scale(q->near.side, face_normal(g, q->from)), face_point(g, q->from, 0));
+        add_cut(cuts, point_scale(q->near.side, face_normal(g, q->from)), face_point(g, q->from, 0));
 #endif
-    return cuts;
+}
+
+/* Does no cut leave out the face? All cuts at once. */
+INLINE bool face_is_left(const Cuts *cuts, global const float *vertices)
+{
+    int8 left = (int8)0;
+    for (int k = 0; k < 4; k++) {
+        real8 height = (real8)0, magnitude = vload8(0, cuts->size);
+        for (int axis = 0; axis < 3; axis++) {
+            real8 x = (real)vertices[3 * k + axis] - vload8(0, cuts->o[axis]);
+            height += vload8(0, cuts->w[axis]) * x;
+            magnitude += fabs(x);
+        }
+        left |= TO_INT8(height <= vload8(0, cuts->slack) * magnitude);
+    }
+    return all(left);
+}
+
+INLINE void ask_if_left(const Geometry *g, BeamQuery *q, const Cuts *cuts, int i, Counters *counters)
+{
+    if (!face_is_left(cuts, g->faces[i].vertices))
+        return;
+    counters->kinds[COUNT_FACE_TESTS] += q->asking;
+    ask_beam(g, q, i);
 }
 
 #endif
@@ -333,33 +421,32 @@ INLINE uint boxes_left(const Cuts *cuts, global const float *planes)
 {
     Mask left = (Mask)-1;
     for (int i = 0; i < cuts->count; i++) {
-        const Cut *c = &cuts->cuts[i];
-        Lanes height = (Lanes)0, magnitude = (Lanes)c->size;
+        Lanes height = (Lanes)0, magnitude = (Lanes)cuts->size[i];
         for (int axis = 0; axis < 3; axis++) {
-            Lanes low = LOAD_FLOATS(planes + 2 * axis * NODE_WIDTH) - c->o[axis];
-            Lanes high = LOAD_FLOATS(planes + (2 * axis + 1) * NODE_WIDTH) - c->o[axis];
-            height += c->w[axis] * (c->w[axis] > 0 ? low : high);
+            real w = cuts->w[axis][i], o = cuts->o[axis][i];
+            Lanes low = LOAD_FLOATS(planes + 2 * axis * NODE_WIDTH) - o;
+            Lanes high = LOAD_FLOATS(planes + (2 * axis + 1) * NODE_WIDTH) - o;
+            height += w * (w > 0 ? low : high);
             magnitude += GREATER(fabs(low), fabs(high));
         }
-        left &= IS(height <= (BOX_SLACK * c->magnitude) * magnitude);
+        left &= IS(height <= cuts->slack[i] * magnitude);
     }
     return mask_bits(left);
 }
 
 NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Counters *counters)
 {
-    Cuts cuts = cuts_of(g, q);
+    Cuts cuts;
+    make_cuts(g, q, &cuts);
     int stack[STACK_SIZE], count = 0;
     stack[count++] = 0;
     while (count > 0) {
         int node = stack[--count];
         if (node < 0) {
             int first = LEAF_FIRST(node), faces = LEAF_COUNT(node);
-            for (int i = first; i < first + faces && ANY(q->active); i++) {
-                counters->kinds[COUNT_FACE_TESTS] += mask_count(q->active);
-                ask_beam(g, q, i);
-            }
-            if (!ANY(q->active))
+            for (int i = first; i < first + faces && q->asking; i++)
+                ask_if_left(g, q, &cuts, i, counters);
+            if (!q->asking)
                 return;
             continue;
         }
@@ -382,14 +469,14 @@ typedef struct KdBox {
 static bool box_is_left(const Cuts *cuts, const KdBox *box)
 {
     for (int i = 0; i < cuts->count; i++) {
-        const Cut *c = &cuts->cuts[i];
-        real height = 0, magnitude = c->size;
+        real height = 0, magnitude = cuts->size[i];
         for (int axis = 0; axis < 3; axis++) {
-            real low = box->planes[2 * axis] - c->o[axis], high = box->planes[2 * axis + 1] - c->o[axis];
-            height += c->w[axis] * (c->w[axis] > 0 ? low : high);
+            real w = cuts->w[axis][i], o = cuts->o[axis][i];
+            real low = box->planes[2 * axis] - o, high = box->planes[2 * axis + 1] - o;
+            height += w * (w > 0 ? low : high);
             magnitude += GREATER(fabs(low), fabs(high));
         }
-        if (height > BOX_SLACK * c->magnitude * magnitude)
+        if (height > cuts->slack[i] * magnitude)
             return false;
     }
     return true;
@@ -397,7 +484,8 @@ static bool box_is_left(const Cuts *cuts, const KdBox *box)
 
 NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Counters *counters)
 {
-    Cuts cuts = cuts_of(g, q);
+    Cuts cuts;
+    make_cuts(g, q, &cuts);
     KdBox stack[STACK_SIZE];
     int count = 1;
     stack[0].node = 0;
@@ -419,11 +507,9 @@ NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Count
             stack[count++] = below;
             continue;
         }
-        for (int i = ints[KD_FIRST]; i < ints[KD_FIRST] + ints[KD_COUNT] && ANY(q->active); i++) {
-            counters->kinds[COUNT_FACE_TESTS] += mask_count(q->active);
-            ask_beam(g, q, face_in_leaf(tree, i));
-        }
-        if (!ANY(q->active))
+        for (int i = ints[KD_FIRST]; i < ints[KD_FIRST] + ints[KD_COUNT] && q->asking; i++)
+            ask_if_left(g, q, &cuts, face_in_leaf(tree, i), counters);
+        if (!q->asking)
             return;
     }
 }
@@ -432,8 +518,8 @@ NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Count
 
 NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Counters *counters)
 {
-    for (int i = 0; i < g->face_count && ANY(q->active); i++) {
-        counters->kinds[COUNT_FACE_TESTS] += mask_count(q->active);
+    for (int i = 0; i < g->face_count && q->asking; i++) {
+        counters->kinds[COUNT_FACE_TESTS] += q->asking;
         ask_beam(g, q, i);
     }
 }
