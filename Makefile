@@ -375,7 +375,8 @@ lint: ## look for likely mistakes with clang-tidy (.clang-tidy) and cppcheck
 	@.ci/setup --check lint
 	@$(MAKE) --no-print-directory --silent $(FOUND)
 	@for file in $(wildcard src/*.c); do \
-	    clang-tidy --quiet --warnings-as-errors='*' $$file -- $(STANDARD) -Isrc $(LIB_CFLAGS) 2>$(BUILD)/lint.log || \
+	    case $$file in src/error.c|src/json.c) hint= ;; *) hint="-include .ci/lint.h" ;; esac; \
+	    clang-tidy --quiet --warnings-as-errors='*' $$file -- $(STANDARD) -Isrc $(LIB_CFLAGS) $$hint 2>$(BUILD)/lint.log || \
 	        failed=yes; \
 	done; \
 	test -z "$$failed"

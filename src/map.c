@@ -9,7 +9,7 @@
 #include <pthread.h>
 #include <stdlib.h>
 
-#define NOTHING -1.0 /* the value of a pixel whose ray leaves the scene; all others are >= 0 */
+#define NOTHING (-1.0) /* the value of a pixel whose ray leaves the scene; all others are >= 0 */
 
 typedef struct Map {
     const Scene *scene;

@@ -52,7 +52,7 @@ static bool read_band(OpenclSession *session, const Pixels *pixels, const Parame
     size_t values = (size_t)band->band_rows * (size_t)band->columns * 3;
     if (!opencl_read(session, pixels->device, values * value_bytes(session), pixels->read, report, error))
         return false;
-    if (session->linear)
+    if (pixels->linear)
         take_linear(session, pixels, band);
     return true;
 }
@@ -128,7 +128,7 @@ static bool render_session(OpenclSession *session, const Scene *scene, const Ren
     if (kernel)
         clReleaseKernel(kernel);
     opencl_refinement_free(&refinement);
-    if (session->linear)
+    if (pixels.rgb != pixels.read)
         free(pixels.rgb);
     free(pixels.read);
     return ok;

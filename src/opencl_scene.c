@@ -156,7 +156,7 @@ static void pack_material(Reals *materials, size_t row, const Material *material
 static void put_view(Reals *reals, int column, Vec3 value)
 {
     put_vec3(reals, (size_t)column, value);
-    put_vec3(reals, (size_t)(VIEW_REALS + column), low_part(reals, value));
+    put_vec3(reals, (size_t)VIEW_REALS + (size_t)column, low_part(reals, value));
 }
 
 /* No component of a primary ray's direction is larger. */

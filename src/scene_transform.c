@@ -39,7 +39,7 @@ static bool read_rotate(const Json *json, const cJSON *item, Transform *step)
 static bool read_step(const Json *json, const cJSON *item, Transform *step)
 {
     JsonMember keys[] = {{.name = "scale"}, {.name = "rotate"}, {.name = "translate"}};
-    Vec3 v;
+    Vec3 v = {0, 0, 0};
     if (!json_members(json, item, keys, JSON_COUNT(keys)))
         return false;
     if ((keys[0].item != NULL) + (keys[1].item != NULL) + (keys[2].item != NULL) != 1)

@@ -166,6 +166,15 @@ class Kernels(CommandTest):
 
 
 class Generate(CommandTest):
+    def test_the_same_scene_goes_to_stdout_and_to_a_file(self):
+        for kind, size, faces in (("menger", 1, 72), ("city", 3, 24), ("grid", 4, 16)):
+            out, _ = self.run_program("generate", kind, "--size", str(size))
+            self.run_program("generate", kind, "--size", str(size), "-o", "new.json")
+            self.assertEqual(self.bytes_of("new.json"), out)
+            self.assertRegex(self.run_program("check", "new.json")[0].decode(), rf"(?m)^  faces +{faces}$")
+        self.assertIn("cannot write missing/a.json", self.run_program("generate", "grid", "--size", "2", "-o",
+                                                                      "missing/a.json", status=3)[1])
+
     def test_a_size_is_asked_for_and_judged_by_the_kind(self):
         self.assertIn("generate menger needs --size N: ", self.run_program("generate", "menger", status=2)[1])
         self.assertIn("--size '9': generate menger expects ",
