@@ -1,12 +1,12 @@
 /* The folder of bench. */
 #include "bench_folder.h"
 
-#include "process.h"
-
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static bool make_one(const char *path, Error *error)
 {
@@ -28,18 +28,33 @@ static bool make_with_parents(char *path, Error *error)
     return make_one(path, error);
 }
 
+/* A shell that removes the folder when nobody holds the other end of its standard input any more: neither we, however
+ * we end, nor the programs that we started and that may still write into it. */
+static bool start_sweeper(BenchFolder *folder, Error *error)
+{
+    static const char wait_and_remove[] = "trap '' INT TERM HUP; read -r line; rm -rf -- \"$1\"";
+    const char *argv[] = {"sh", "-c", wait_and_remove, "sh", folder->path, NULL};
+    if (!process_start(&folder->sweeper, argv, error))
+        return false;
+    fcntl(fileno(folder->sweeper.to), F_SETFD, 0); /* what we start holds it, too */
+    return true;
+}
+
 static bool make_temporary(BenchFolder *folder, Error *error)
 {
     const char *place = getenv("TMPDIR");
-    folder->temporary = true;
     snprintf(folder->path, sizeof folder->path, "%.200s/rectray-bench-XXXXXX", place && place[0] ? place : "/tmp");
-    return mkdtemp(folder->path) ||
-           error_set(error, ERROR_SYSTEM, "cannot make the temporary folder %s: %s", folder->path, strerror(errno));
+    if (!mkdtemp(folder->path))
+        return error_set(error, ERROR_SYSTEM, "cannot make the temporary folder %s: %s", folder->path, strerror(errno));
+    if (start_sweeper(folder, error))
+        return true;
+    rmdir(folder->path);
+    return false;
 }
 
 bool bench_folder_open(BenchFolder *folder, const char *wanted, Error *error)
 {
-    *folder = (BenchFolder){.temporary = false};
+    *folder = (BenchFolder){.path = ""};
     if (!wanted)
         return make_temporary(folder, error);
     if (strlen(wanted) >= sizeof folder->path)
@@ -48,13 +63,9 @@ bool bench_folder_open(BenchFolder *folder, const char *wanted, Error *error)
     return make_with_parents(folder->path, error);
 }
 
-void bench_folder_close(const BenchFolder *folder)
+void bench_folder_close(BenchFolder *folder)
 {
-    const char *argv[] = {"rm", "-rf", "--", folder->path, NULL};
-    Error ignored = {0};
-    double ms;
-    if (folder->temporary)
-        process_run(argv, NULL, 0, &ms, &ignored);
+    process_end(&folder->sweeper);
 }
 
 BenchPath bench_path(const BenchFolder *folder, const char *prefix, const char *name)

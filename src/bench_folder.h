@@ -1,13 +1,13 @@
 /* Where bench puts its files: in the folder that the user chose, where they stay, or in a temporary one that goes with all
- * that is in it. Floor 4. */
+ * that is in it, even where the program is killed. Floor 4. */
 #ifndef RECTRAY_BENCH_FOLDER_H
 #define RECTRAY_BENCH_FOLDER_H
 
-#include "error.h"
+#include "process.h"
 
 typedef struct BenchFolder {
     char path[256];
-    bool temporary;
+    Process sweeper; /* removes a temporary folder; zeroed where the folder stays */
 } BenchFolder;
 
 /* A path, passed by value. */
@@ -19,7 +19,7 @@ typedef struct BenchPath {
 bool bench_folder_open(BenchFolder *folder, const char *wanted, Error *error);
 
 /* Removes the folder if it is temporary. */
-void bench_folder_close(const BenchFolder *folder);
+void bench_folder_close(BenchFolder *folder);
 
 /* PREFIX FOLDER/NAME: the name of a file in it, behind any words that a program wants before it. */
 BenchPath bench_path(const BenchFolder *folder, const char *prefix, const char *name);

@@ -2,8 +2,10 @@
 import csv
 import json
 import os
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 from program import PROGRAM as RECTRAY, SOAK
@@ -89,6 +91,30 @@ class Speed(BenchTest):
         self.assertIn("picture.png", os.listdir(os.path.join(self.folder.name, "deep", "er")))
         self.write_page("a file, not a folder")
         self.assertIn("page.md", self.bench(SCENE, "--folder", "page.md/x", status=3).stderr)
+
+    def test_what_stops_it_leaves_no_temporary_folder(self):
+        """Neither ^C, which a terminal sends to all, nor SIGKILL for it alone: a rendering that was begun may end first."""
+        for number, send in ((signal.SIGINT, os.killpg), (signal.SIGTERM, os.killpg), (signal.SIGKILL, os.kill)):
+            process = subprocess.Popen([RECTRAY, "bench", SCENE, "--repeats=99", "--quiet"], cwd=self.folder.name,
+                                       stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, start_new_session=True,
+                                       env=dict(os.environ, TMPDIR=self.folder.name),
+                                       preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+            self.wait_for(lambda: self.files() != [])
+            time.sleep(0.2)
+            self.assertIsNone(process.poll())
+            send(process.pid, number)
+            err = process.communicate(timeout=20)[1]
+            if number == signal.SIGKILL:
+                self.assertEqual(process.returncode, -number)
+            else:
+                self.assertEqual((process.returncode, err), (128 + number, b"rectray: interrupted\n"))
+            self.wait_for(lambda: self.files() == [])
+
+    def wait_for(self, condition):
+        deadline = time.monotonic() + 60
+        while not condition() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        self.assertTrue(condition(), self.files())
 
 
 class Peer(BenchTest):
