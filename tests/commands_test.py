@@ -158,6 +158,7 @@ class Kernels(CommandTest):
                     if key not in ("HOME", "XDG_CACHE_HOME", "RECTRAY_CACHE_DIR")}
         homeless.setdefault("POCL_CACHE_DIR", os.path.expanduser("~/.cache/pocl/kcache")) # the driver's own, already filled
         for environment in (homeless, dict(homeless, HOME=self.path("file")), dict(homeless, XDG_CACHE_HOME="/proc"),
+                            dict(homeless, RECTRAY_CACHE_DIR="/proc"), # which nobody may write to
                             dict(homeless, RECTRAY_CACHE_DIR=self.path("file")),
                             dict(homeless, RECTRAY_CACHE_DIR="/proc/rectray")):
             _, err = self.run_program("render", "scene.json", "-o", "a.png", "--progress", "always", env=environment)
@@ -187,11 +188,11 @@ class Devices(CommandTest):
 
     def test_without_any_it_is_3_and_the_reference_still_works(self):
         nowhere = dict(os.environ, OCL_ICD_VENDORS=self.path("nowhere"))
-        out, err = self.run_program("devices", status=3, env=nowhere)
-        self.assertEqual(out, b"")
-        self.assertIn("rectray: ", err)
-        self.run_program("render", "scene.json", "-o", "a.png", status=3, env=nowhere)
-        self.assertEqual(self.files(), [])
+        for words in (["devices"], ["render", "scene.json", "-o", "a.png"], ["cast", "scene.json"]):
+            out, err = self.run_program(*words, text_in="0 0 0 1 1 1\n", status=3, env=nowhere)
+            self.assertEqual(out.count(b"\n"), words[0] == "cast") # the table's head
+            self.assertRegex(err, r"\Arectray: no OpenCL platform was found; install one [^\n]*\n\Z")
+            self.assertEqual(self.files(), [])
         self.render(env=nowhere)
 
     def test_a_device_that_is_not_there_is_an_error(self):

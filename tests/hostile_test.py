@@ -137,6 +137,68 @@ class Files(HostileTest):
         self.assertIn("m.obj:1: the line is longer than 65535 bytes", self.refused("check", "scene.json"))
 
 
+class Texts(HostileTest):
+    """What test_hostile.c asks of the reader, asked of the command: its message and its status."""
+
+    def assert_refused(self, text, line):
+        with open(self.path("scene.json"), "wb") as file:
+            file.write(text if isinstance(text, bytes) else text.encode())
+        self.assertRegex(self.refused("check", "scene.json"), f"^scene.json:{line}$")
+
+    def test_a_scene_cut_at_every_byte(self):
+        whole = scene()
+        for cut in range(0, len(whole), 1 if SOAK else 31):
+            self.assert_refused(whole[:cut], r"\d+:\d+: .+")
+
+    def test_nesting_without_end(self):
+        for opening, column in (("[", 65), ('{"a":', 321)):
+            self.assert_refused(opening * 100000, f"1:{column}: lists and objects are nested more than 64 deep")
+        self.assert_refused('{"objects":' + "[" * 100000 + "]" * 100000 + "}", "1:75: lists and objects are nested .*")
+
+    def test_names_of_a_million_characters(self):
+        name = "x" * 1000000
+        box = {"material": "pink", "box": {"min": [1000, 0, 0], "max": [1001, 1, 1]}}
+        self.assert_refused(scene(**{name: 1}), r'\d+:\d+: \["x+\.\.\."\]: unknown key; .*')
+        self.assert_refused(scene(objects=[{**box, "material": name}]),
+                            r'\d+:\d+: objects\[0\]\.material: .*"x+\.\.\." does not exist')
+        self.assert_refused(scene(objects=[{"material": "pink", "obj": name}]),
+                            r'\d+:\d+: .*"x+\.\.\.": cannot be opened: File name too long')
+        self.put("scene.json", scene(objects=[{**box, "name": name}], materials={"pink": {}, name: {}}))
+        self.measured("render", "scene.json", "-q", "-b", "reference", "-o", "a.png")
+        out, _ = self.run_program("trace", "scene.json", "--pixel", "4,3")
+        self.assertIn(b"xxx", out)
+        self.assertLess(len(out), 100000)
+
+    def test_numbers(self):
+        text = scene(camera={"position": ["NUMBER", 0, 5], "look_at": [0, 0, 0]}, objects=[])
+        for number in ("-0", "1e-320", "-4.9e-324", "1E+2"):
+            self.put("scene.json", text.replace('"NUMBER"', number))
+            self.measured("render", "scene.json", "-q", "-b", "reference", "-o", "a.png")
+        for number, reason in (("1e999", "the number is too large .*"), ("-1e999", "the number is too large .*"),
+                               ("0x10", "not a number of JSON .*"), ("007", "not a number of JSON .*"),
+                               ("1e", "not a number of JSON .*"), ("1" * 1000000, "a number of more than 63 characters"),
+                               ("NaN", "expected a value .*"), ("1e300", "camera.*")):
+            os.path.exists(self.path("a.png")) and os.remove(self.path("a.png"))
+            self.assert_refused(text.replace('"NUMBER"', number), rf"1:\d+: {reason}")
+
+    def test_bytes(self):
+        whole = scene().encode()
+        for text, line in ((b"", "1:1: .*"), (b"\0" * 1000, "1:1: a NUL byte; .*"), (whole + b"\0", r"1:\d+: a NUL byte; .*"),
+                           (b"\xef\xbb\xbf" + whole, "1:1: starts with a byte order mark; .*"),
+                           (whole.decode().encode("utf-16"), "1:1: .*UTF-16.*"),
+                           (whole.replace(b"tile", b"\\ud800"), r"1:\d+: half a surrogate pair; .*"),
+                           (whole.replace(b"tile", b"\\udc00\\ud800"), r"1:\d+: half a surrogate pair; .*"),
+                           (whole.replace(b"tile", b"\xed\xa0\x80"), r"1:\d+: .*UTF-8.*"),
+                           (whole.replace(b'"lights"', b'"camera"'), r"1:\d+: camera: the key stands twice in this object; .*")):
+            self.assert_refused(text, line)
+        self.put("scene.json", json.dumps(SCENE, indent=1).replace("\n", "\r\n"))
+        self.measured("render", "scene.json", "-q", "-b", "reference", "-o", "a.png")
+        crlf = self.bytes_of("a.png")
+        self.put("scene.json", scene())
+        self.measured("render", "scene.json", "-q", "-b", "reference", "-o", "a.png")
+        self.assertEqual(self.bytes_of("a.png"), crlf)
+
+
 class Names(HostileTest):
     def test_names_that_are_not_utf8_give_json_and_xml_all_the_same(self):
         folder, name = os.fsencode(self.folder), b"caf\xe9.json"
