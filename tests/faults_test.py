@@ -128,7 +128,7 @@ class Memory(FaultTest):
 
     @unittest.skipUnless(SOAK, "only in the soak")
     def test_real_scenes(self):
-        for scene in ("scenes/original.json", "scenes/gallery.json", "tests/scenes/nonplanar_split.json"):
+        for scene in ("scenes/original.json", "tests/scenes/split.json", "tests/scenes/obj.json"):
             scene = os.path.abspath(scene)
             self.every("check", scene)
             self.every("check", scene, "--geometry")
