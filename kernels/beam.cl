@@ -237,17 +237,32 @@ typedef struct BeamCover {
     Mask clear, filled;
 } BeamCover;
 
+/* Beyond the beam's sides a = -+1, told by l a at the corners, or b = -+1: see is_beyond in beam.c. */
+INLINE Mask is_beyond(const BeamLanes *b, const BeamFace *f, const Linear *coordinate, bool reaches_behind)
+{
+    Mask beyond[2] = {(Mask)-1, (Mask)-1};
+    Lanes low[2] = {(Lanes)0, (Lanes)0}, high[2] = {(Lanes)(real)INFINITY, (Lanes)(real)INFINITY};
+    for (int k = 0; k < f->count; k++) {
+        Lanes x = along_c(b, coordinate + k), doubt = f->across[k].doubt * b->length, forward = f->l[k] + doubt;
+        for (int side = 0; side < 2; side++) {
+            Lanes outward = (side ? -x : x) - doubt;
+            beyond[side] &= IS(forward < (Lanes)0) | IS(outward > forward);
+            if (reaches_behind) {
+                Lanes m = outward / forward;
+                low[side] = forward < (Lanes)0 ? GREATER(m, low[side]) : low[side];
+                high[side] = forward < (Lanes)0 ? high[side] : LESSER(m, high[side]);
+            }
+        }
+    }
+    return (beyond[0] & IS(low[0] < high[0])) | (beyond[1] & IS(low[1] < high[1]));
+}
+
 INLINE Mask beside(const BeamLanes *b, const BeamFace *f)
 {
-    Mask outside[4] = {(Mask)-1, (Mask)-1, (Mask)-1, (Mask)-1};
-    for (int k = 0; k < f->count; k++) {
-        Lanes across = along_c(b, f->across + k), down = along_c(b, f->down + k), doubt = f->across[k].doubt * b->length;
-        outside[0] &= IS(f->l[k] - across < -doubt);
-        outside[1] &= IS(f->l[k] + across < -doubt);
-        outside[2] &= IS(f->l[k] - down < -doubt);
-        outside[3] &= IS(f->l[k] + down < -doubt);
-    }
-    return outside[0] | outside[1] | outside[2] | outside[3];
+    bool reaches_behind = false;
+    for (int k = 0; k < f->count; k++)
+        reaches_behind |= f->l[k] < 0;
+    return is_beyond(b, f, f->across, reaches_behind) | is_beyond(b, f, f->down, reaches_behind);
 }
 
 NOINLINE BeamCover beam_cover(const BeamLanes *b, const BeamFace *f)

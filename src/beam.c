@@ -118,24 +118,45 @@ static Edges edges_of(const Beam *beam, const Face *face)
     return edges;
 }
 
-/* Is the whole face beyond one side of the beam? With p = l (c + a u + b v), l det(u, v, c) = det(u, v, p), and a and b
- * are found likewise: a vertex is beyond the side a = 1 where l (1 - a) < 0, and so on. */
+/* Where a corner p of a face is in the beam's own terms, p = l (c + a u + b v): l det(u, v, c) = det(u, v, p), and so on. */
+typedef struct Corner {
+    double l, la, lb, doubt;
+} Corner;
+
+/* Is the whole face on the outer side of a plane l a = m l with m >= 1? For m = 1 that is the side a = 1 of the beam (sign 1);
+ * the larger m is, the more is the plane turned to where l = 0, away from the beam: a face that reaches behind the apex may
+ * be beyond these alone. Likewise the side a = -1 (sign -1), and with lb for la the sides of b. */
+static bool is_beyond(const Corner *corners, int count, bool is_a, double sign)
+{
+    double low = 0, high = HUGE_VAL; /* of m, by the corners behind and before the apex */
+    for (int k = 0; k < count; k++) {
+        double outward = sign * (is_a ? corners[k].la : corners[k].lb) - corners[k].doubt;
+        double forward = corners[k].l + corners[k].doubt, m = outward / forward;
+        if (forward >= 0 && !(outward > forward))
+            return false;
+        if (forward < 0)
+            low = m > low ? m : low;
+        else
+            high = m < high ? m : high;
+    }
+    return low < high;
+}
+
 static bool beside(const Beam *beam, const Face *face)
 {
     Vec3 uv = vec3_cross(beam->u, beam->v);
     double sign = vec3_dot(uv, beam->c) < 0 ? -1 : 1;
-    bool outside[4] = {true, true, true, true};
+    Corner corners[4];
     for (int k = 0; k < face->vertex_count; k++) {
         Vec3 p = vec3_sub(face_vertex(face, k), beam->apex);
-        double l = sign * vec3_dot(uv, p);
-        double a = sign * vec3_dot(vec3_cross(p, beam->v), beam->c), b = sign * vec3_dot(vec3_cross(beam->u, p), beam->c);
-        double doubt = BEAM_SLACK * (beam->size + magnitudes(p)) * beam->width * beam->length;
-        outside[0] &= l - a < -doubt;
-        outside[1] &= l + a < -doubt;
-        outside[2] &= l - b < -doubt;
-        outside[3] &= l + b < -doubt;
+        corners[k].l = sign * vec3_dot(uv, p);
+        corners[k].la = sign * vec3_dot(vec3_cross(p, beam->v), beam->c);
+        corners[k].lb = sign * vec3_dot(vec3_cross(beam->u, p), beam->c);
+        corners[k].doubt = BEAM_SLACK * (beam->size + magnitudes(p)) * beam->width * beam->length;
     }
-    return outside[0] || outside[1] || outside[2] || outside[3];
+    int count = face->vertex_count;
+    return is_beyond(corners, count, true, 1) || is_beyond(corners, count, true, -1) ||
+           is_beyond(corners, count, false, 1) || is_beyond(corners, count, false, -1);
 }
 
 BeamCover beam_cover(const Beam *beam, const Face *face, const BeamPlane *seen)

@@ -181,6 +181,15 @@ static void for_each_scene(void (*test)(const char *path))
     globfree(&found);
 }
 
+/* Pixels so wide that a box beside and behind the eye has corners within all four sides of a beam, continued backwards. */
+static void adaptive_should_leave_out_what_reaches_behind(void)
+{
+    Scene scene = load_small("tests/scenes/wide_pixels.json", 1, 40);
+    TEST_ASSERT_EQUAL_INT(ADAPTIVE_SAME, verdict_of(&scene, 0, 21).reason);
+    TEST_ASSERT_EQUAL_INT(ADAPTIVE_FACE, verdict_of(&scene, 0, 13).reason);
+    scene_free(&scene);
+}
+
 /* A refined pixel is the uniform grid's, bit for bit; any other is its centre, which tells the average to half a step. */
 static void check_pixels(const char *path)
 {
@@ -328,7 +337,7 @@ static void adaptive_should_be_the_same_in_both_backends(void)
 {
     const char *scenes[] = {"scenes/gallery.json", "scenes/original.json", "scenes/cornell.json", "scenes/mirrors.json",
                             "tests/scenes/many_lights.json", "tests/scenes/one_sided.json", "tests/scenes/shadow_black.json",
-                            "tests/scenes/split.json", "tests/scenes/viewer_camera.json"};
+                            "tests/scenes/split.json", "tests/scenes/viewer_camera.json", "tests/scenes/wide_pixels.json"};
     for (int s = 0; s < (int)(sizeof scenes / sizeof *scenes); s++) {
         compare_backends(scenes[s], PRECISION_DOUBLE, 8, ACCEL_BVH);
         compare_backends(scenes[s], PRECISION_FLOAT, 16, ACCEL_BVH);
@@ -347,6 +356,7 @@ int main(void)
     RUN_TEST(adaptive_should_find_the_mirror_image_of_a_pole);
     RUN_TEST(adaptive_should_leave_out_mirrors_that_show_nothing);
     RUN_TEST(adaptive_should_leave_out_what_is_behind);
+    RUN_TEST(adaptive_should_leave_out_what_reaches_behind);
     RUN_TEST(adaptive_should_find_a_highlight_between_all_samples);
     RUN_TEST(adaptive_should_give_the_grid_or_the_centre_where_that_is_enough);
     RUN_TEST(adaptive_should_decide_alike_with_any_tree);
