@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import resource
 import signal
 import subprocess
 import tempfile
@@ -109,6 +110,18 @@ class Speed(BenchTest):
             else:
                 self.assertEqual((process.returncode, err), (128 + number, b"rectray: interrupted\n"))
             self.wait_for(lambda: self.files() == [])
+
+    def test_what_it_cannot_start_is_told(self):
+        def few_files():
+            resource.setrlimit(resource.RLIMIT_NOFILE, (4, 4))
+        for message, options in (("cannot start sh: No such file", {"PATH": "/nowhere"}), ("cannot make a pipe: Too many open files", {}),
+                                 ("cannot make the temporary folder ", {"TMPDIR": "/nowhere"})):
+            done = subprocess.run([RECTRAY, "bench", SCENE], cwd=self.folder.name, capture_output=True, text=True,
+                                  env={**os.environ, "TMPDIR": self.folder.name, **options},
+                                  preexec_fn=None if options else few_files)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (3, 1), done.stderr)
+            self.assertIn("rectray: " + message, done.stderr)
+            self.assertEqual(self.files(), [])
 
     def wait_for(self, condition):
         deadline = time.monotonic() + 60

@@ -8,7 +8,7 @@ import struct
 import subprocess
 import unittest
 
-from program import PROGRAM, CommandTest, png_pixels
+from program import PROGRAM, SCENE, CommandTest, png_pixels
 
 
 class ExitStatus(CommandTest):
@@ -180,6 +180,25 @@ class Generate(CommandTest):
         self.assertIn("generate menger needs --size N: ", self.run_program("generate", "menger", status=2)[1])
         self.assertIn("--size '9': generate menger expects ",
                       self.run_program("generate", "menger", "--size", "9", status=2)[1])
+        self.assertIn("no kind of scene 'mengor'; did you mean 'menger'?",
+                      self.run_program("generate", "mengor", "--size", "1", status=2)[1])
+        self.assertIn("no kind of scene 'sphere': menger, city and grid are known",
+                      self.run_program("generate", "sphere", "--size", "1", status=2)[1])
+
+
+class Check(CommandTest):
+    def test_lights_that_need_no_shadow_rays_are_told(self):
+        lights = [{"position": [1000, 0, 5]}] + [{"position": [1000, 0, 5], "diffuse": [0, 0, 0], "specular": [0, 0, 0], **more}
+                                                 for more in ({}, {"ambient": [0, 0, 0]}, {"ambient": [0, 0, 0]})]
+        black, mirror = "2 of the lights: black", {"reflection": 0.5}
+        for rule, material, told in (("black", {}, [black + "\n"]),
+                                     ("black", mirror, [black + ", though a path goes on from where they reach\n"]),
+                                     ("ambient", mirror, [black + "\n", "shadow rays to 1 of the lights: their ambient"])):
+            self.put("scene.json", json.dumps({**SCENE, "lights": lights, "shading": {"shadow": rule},
+                                               "materials": {"pink": {"diffuse": [1, 1, 1], **material}}}))
+            out = self.run_program("check", "scene.json")[0].decode()
+            for words in told:
+                self.assertIn("  " + words, out)
 
 
 class Devices(CommandTest):

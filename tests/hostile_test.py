@@ -132,6 +132,20 @@ class Files(HostileTest):
             self.put_model("m.obj", QUAD + face + "\n")
             self.assertRegex(self.refused("check", "scene.json"), "^m.obj:5: (vertex -?[0-9]+ does not exist|\"0\" is not)")
 
+    def test_models_and_libraries_in_odd_encodings(self):
+        quad = QUAD + "f 1 2 3 4\n"
+        for encoding, line in (("utf-8-sig", "m.obj:1: starts with a byte order mark; .*"), ("utf-16", "m.obj:1: .*")):
+            self.put_model("m.obj", None)
+            with open(self.path("m.obj"), "w", encoding=encoding) as file:
+                file.write(quad)
+            self.assertRegex(self.refused("check", "scene.json"), f"^{line}$")
+        self.put_model("m.obj", "mtllib m.mtl\n" + quad)
+        with open(self.path("m.mtl"), "w", encoding="utf-8-sig") as file:
+            file.write("newmtl pink\n")
+        self.assertRegex(self.refused("check", "scene.json"), r"^m\.obj:1: mtllib: m\.mtl:1: starts with a byte order mark; .*$")
+        self.put_model("m.obj", quad.replace("\n", "\r\n"))
+        self.measured("check", "scene.json")
+
     def test_a_model_of_one_endless_line(self):
         self.put_model("m.obj", "v" + " 0" * MIB)
         self.assertIn("m.obj:1: the line is longer than 65535 bytes", self.refused("check", "scene.json"))

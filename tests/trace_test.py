@@ -316,6 +316,39 @@ class Options(CommandTest):
             self.assertIn(words_told, " ".join(out.decode().split()))
             self.assertEqual(out.decode().splitlines()[-1], f"Pixel ({column}, {row}) = {picture[row][column]}")
 
+    def test_adaptive_sampling_names_the_face_and_the_light(self):
+        """A tile before a wall: its border passes through pixels whose centres are on the wall, its shadow is left of it."""
+        def square(name, half, z):
+            return {"name": name, "material": "red", "faces": [[0, 1, 2, 3]],
+                    "vertices": [[-half, -half, z], [half, -half, z], [half, half, z], [-half, half, z]]}
+        material = {"ambient": [0.1, 0, 0], "diffuse": [0.7, 0, 0], "specular": [1, 1, 1], "shininess": 400}
+        self.put("scene.json", json.dumps({
+            "camera": {"position": [0, 0, 4], "look_at": [0, 0, 0]}, "screen": {"columns": 16, "rows": 12},
+            "lights": [{"position": [2, 3, 3]}], "materials": {"red": material},
+            "objects": [square("wall", 9, -1), square("tile", 0.45, 0)]}))
+        for pixel, why in (("7,5", "an edge of the face tile/0, which the centre meets at P1, may cross it"),
+                           ("5,7", "at P1 the shadow of tile/0 in light 0 may end in it"),
+                           ("0,0", "at P1 the brightness by light 0 changes unevenly over it")):
+            out = self.run_program("trace", "scene.json", "--pixel", pixel, "--sampling", "adaptive:2")[0].decode()
+            self.assertIn(f"needs more than the ray through its centre: {why}.", " ".join(out.split()))
+        self.put("scene.json", self.bytes_of("scene.json").decode().replace("0.45", "0.6"))
+        out = self.run_program("trace", "scene.json", "--pixel", "6,5", "--sampling", "adaptive:2")[0].decode()
+        self.assertIn("another face, tile/0, may show in it, which the centre passes before P1.", " ".join(out.split()))
+
+    def test_marks_at_one_place_share_a_label(self):
+        """A ray that two mirrors send to and fro."""
+        def wall(name, z):
+            return {"name": name, "material": "m", "faces": [[0, 1, 2, 3]],
+                    "vertices": [[-9, -9, z], [9, -9, z], [9, 9, z], [-9, 9, z]]}
+        self.put("scene.json", json.dumps({
+            "camera": {"position": [0, 0, 1], "look_at": [0, 0, 0]}, "screen": {"columns": 3, "rows": 3},
+            "lights": [{"position": [0.2, 0.3, 1]}], "materials": {"m": {"diffuse": [0.7, 0, 0], "reflection": 0.9}},
+            "objects": [wall("back", 0), wall("front", 2)]}))
+        for bounces, labels in (("4", ["P1, P3, P5", "P2, P4"]), ("40", ["P1, P3, P5, P7, P9...", "P2, P4, P6, P8, P10..."])):
+            svg = self.run_program("trace", "scene.json", "--pixel", "1,1", "--format", "svg", "--bounces", bounces)[0].decode()
+            for label in labels:
+                self.assertEqual(svg.count(f">{label}</text>"), 2, label) # in either view
+
     def test_verbose_lists_every_face(self):
         out, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12", "--verbose")
         short, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12")
