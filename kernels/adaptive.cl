@@ -294,6 +294,17 @@ static WideVec direction_to(const Shading *s, Wide column, Wide row, Wide i, Wid
                     wide_scale(y, view_vec(s, VIEW_UP)));
 }
 
+/* The bundle of the active rays, which start at the apex. */
+static Bundle bundle_of_rays(const Apex *a, const Path *paths, const Ray *rays)
+{
+    Pencil pencils[PACKETS];
+    EACH_PACKET(k) {
+        pencils[k].active = paths[k].active;
+        pencils[k].ahead = vec_to_real(rays[k].direction);
+    }
+    return bundle_from(a, pencils, PACKETS);
+}
+
 /* As `render` does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
 static void render_centres(const Geometry *g, const Shading *s, global uchar *rgb, global uchar *flags, Counters *counters)
 {
@@ -320,7 +331,8 @@ static void render_centres(const Geometry *g, const Shading *s, global uchar *rg
         trails[k].count = 0;
         counters->kinds[COUNT_PRIMARY] += mask_count(even[k]);
     }
-    trace_paths(g, s, &apex, paths, rays, trails, counters);
+    Bundle seen = bundle_of_rays(&apex, paths, rays);
+    trace_paths(g, s, &apex, &seen, paths, rays, trails, counters);
     judge_pixels(g, s, trails, &pixels, even, counters);
     EACH_PACKET(k) {
         int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
@@ -358,7 +370,8 @@ static void refine(const Geometry *g, const Shading *s, global uchar *rgb, globa
         }
         int count = min(samples - first, PACKETS * LANES);
         counters->kinds[COUNT_PRIMARY] += (uint)count;
-        trace_paths(g, s, &apex, paths, rays, 0, counters);
+        Bundle seen = bundle_of_rays(&apex, paths, rays);
+        trace_paths(g, s, &apex, &seen, paths, rays, 0, counters);
         for (int k = 0; k * LANES < count; k++) {
             real r[LANES], gr[LANES], b[LANES];
             STORE(paths[k].total.x, r);

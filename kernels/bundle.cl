@@ -48,6 +48,17 @@ INLINE Slab slab(real origin_low, real origin_high, real low, real high)
     return s;
 }
 
+/* Rays from an apex whose directions are between two, axis by axis. */
+INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high)
+{
+    real at[3] = {a->x, a->y, a->z};
+    Bundle b;
+    for (int axis = 0; axis < 3; axis++)
+        b.slabs[axis] = slab(at[axis] - a->spread, at[axis] + a->spread, low[axis], high[axis]);
+    b.reach = REACH_ALL;
+    return b;
+}
+
 /* Rays from an apex. */
 INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets)
 {
@@ -61,12 +72,12 @@ INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets)
             high[axis] = (active & IS(xyz[axis] > high[axis])) ? xyz[axis] : high[axis];
         }
     }
-    real at[3] = {a->x, a->y, a->z};
-    Bundle b;
-    for (int axis = 0; axis < 3; axis++)
-        b.slabs[axis] = slab(at[axis] - a->spread, at[axis] + a->spread, lanes_lowest(low[axis]), -lanes_lowest(-high[axis]));
-    b.reach = REACH_ALL;
-    return b;
+    real lowest_of[3], highest_of[3];
+    for (int axis = 0; axis < 3; axis++) {
+        lowest_of[axis] = lanes_lowest(low[axis]);
+        highest_of[axis] = -lanes_lowest(-high[axis]);
+    }
+    return bundle_within(a, lowest_of, highest_of);
 }
 
 /* Any rays of one packet. */

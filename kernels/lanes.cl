@@ -25,6 +25,7 @@ typedef float4 wide4;
 #if REAL_DOUBLE
 typedef double real;
 typedef double2 real2;
+typedef double3 real3;
 typedef double4 real4;
 typedef double8 real8;
 #define REAL_ROUNDING 0x1p-53
@@ -33,6 +34,7 @@ typedef double8 real8;
 #else
 typedef float real;
 typedef float2 real2;
+typedef float3 real3;
 typedef float4 real4;
 typedef float8 real8;
 #define REAL_ROUNDING 0x1p-24f

@@ -44,6 +44,21 @@ INLINE ScreenPlaces screen_places(const Shading *s, int first_column, int first_
     return places;
 }
 
+/* The bundle of all rays of the tile. Each component of a direction rises or falls with either place, and so does its rounding:
+ * the corners have the extremes. */
+INLINE Bundle screen_bundle(const Shading *s, const Apex *eye, const ScreenPlaces *places)
+{
+    real low[3], high[3];
+    for (int axis = 0; axis < 3; axis++) {
+        wide forward = view_value(s, VIEW_FORWARD + axis), right = view_value(s, VIEW_RIGHT + axis), up = view_value(s, VIEW_UP + axis);
+        wide left_most = forward + places->x[0] * right, right_most = forward + places->x[TILE_COLUMNS - 1] * right;
+        wide top = places->y[0] * up, bottom = places->y[TILE_ROWS - 1] * up;
+        low[axis] = (real)(LESSER(left_most, right_most) + LESSER(top, bottom));
+        high[axis] = (real)(GREATER(left_most, right_most) + GREATER(top, bottom));
+    }
+    return bundle_within(eye, low, high);
+}
+
 /* The directions R = Q - C of packet k's rays. */
 INLINE WideVec view_direction(const Shading *s, const ScreenPlaces *places, int k)
 {
@@ -149,13 +164,13 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
             nearest[p].limit = 1 / nearest[p].begin;
         }
         Apex a = apex_at(image, -lanes_lowest(-spread), 1 + 4 * REAL_ROUNDING); /* reflected directions are unit vectors */
-        find_nearest_from(g, tree, &a, pencils, rays, nearest, counters);
+        find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS), counters);
     }
 }
 
 /* The nearest faces of all paths; first from the eye, then from its images. */
-INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, const Path *paths, const Ray *rays, bool from_eye,
-                         Nearest *nearest, Counters *counters)
+INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, const Bundle *seen, const Path *paths,
+                         const Ray *rays, bool from_eye, Nearest *nearest, Counters *counters)
 {
     Pencil pencils[PACKETS];
     EACH_PACKET(p) {
@@ -167,14 +182,14 @@ INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, c
         pencils[p].ahead = vec_to_real(rays[p].direction);
     }
     if (from_eye)
-        find_nearest_from(g, tree, eye, pencils, rays, nearest, counters);
+        find_nearest_from(g, tree, eye, pencils, rays, nearest, *seen, counters);
     else
         find_reflected(g, tree, paths, rays, pencils, nearest, counters);
 }
 
 /* Sets each path's total to its hits' illuminations, each weighted by the mirrors before it. All rays start at the eye, the
- * apex. trails: one per packet, or NULL. */
-TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, Path *paths, Ray *rays, Trail *trails,
+ * apex, as the bundle `seen`. trails: one per packet, or NULL. */
+TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, const Bundle *seen, Path *paths, Ray *rays, Trail *trails,
                        Counters *counters)
 {
     constant const Parameters *parameters = s->parameters;
@@ -188,7 +203,7 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, Pa
     }
     for (int bounces = 0;; bounces++) {
         Nearest nearest[PACKETS];
-        find_nearest(g, s->tree, apex, paths, rays, bounces == 0, nearest, counters);
+        find_nearest(g, s->tree, apex, seen, paths, rays, bounces == 0, nearest, counters);
 
         Surface surfaces[PACKETS];
         WideVec shifted[PACKETS];
@@ -371,7 +386,8 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
                 paths[k].active = inside[k];
                 counters.kinds[COUNT_PRIMARY] += mask_count(inside[k]);
             }
-            trace_paths(&g, &s, &apex, paths, rays, 0, &counters);
+            Bundle seen = screen_bundle(&s, &apex, &places);
+            trace_paths(&g, &s, &apex, &seen, paths, rays, 0, &counters);
             EACH_PACKET(k)
                 sum[k] = vec_add(sum[k], paths[k].total);
         }

@@ -4,10 +4,10 @@
 typedef struct Surface {
     WideVec point;
     Vec normal; /* on the ray's side */
-    Vec ambient, diffuse, specular;
-    Lanes exponent, reflection;
-    Mask face, with_normal;
-    int only; /* the face of all active lanes; -1: they have several */
+    Lanes reflection;
+    Mask face, material, with_normal;
+    int only;          /* the face of all active lanes; -1: they have several */
+    int only_material; /* the same of materials */
 } Surface;
 
 typedef struct Shading {
@@ -37,54 +37,51 @@ static WideVec point_shifted(const Geometry *g, int face, const PlaneRow *plane,
 }
 
 /* Where the rays meet the face. */
-INLINE Surface surface_on(const Geometry *g, const Shading *s, const Ray *ray, bool from_eye, int face, Mask here,
-                          Mask with_normal, WideVec *shifted)
+INLINE WideVec point_on(const Geometry *g, const Ray *ray, bool from_eye, int face, Mask here)
 {
-    PlaneRow plane = plane_row(g, face);
     WideMask wide_here = TO_WIDE_MASK(here);
     Wide t = from_eye ? plane_hit_from_point(g, face, &ray->origin, &ray->direction, wide_here).t
                       : plane_hit(g, face, &ray->origin, &ray->direction, wide_here).t;
-    WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
-    WideVec turned = wide_select(TO_WIDE_MASK(with_normal), wide_vec(-normal.x, -normal.y, -normal.z), normal);
-    global const real *material = s->materials + (size_t)g->faces[face].material * MATERIAL_REALS;
-    Surface surface;
-    surface.point = wide_add(ray->origin, wide_scale(t, ray->direction));
-    *shifted = point_shifted(g, face, &plane, turned, TO_WIDE_MASK(with_normal), surface.point);
-    surface.normal = vec_to_real(turned);
-    surface.ambient = vec_row(material + MATERIAL_AMBIENT);
-    surface.diffuse = vec_row(material + MATERIAL_DIFFUSE);
-    surface.specular = vec_row(material + MATERIAL_SPECULAR);
-    surface.exponent = (Lanes)material[MATERIAL_EXPONENT];
-    surface.reflection = (Lanes)material[MATERIAL_REFLECTION];
-    return surface;
+    return wide_add(ray->origin, wide_scale(t, ray->direction));
 }
 
 /* Where the rays meet their nearest faces, and the points shifted off them. `from_eye`: they have one origin. */
-static void find_surface(const Geometry *g, const Shading *s, const Ray *ray, bool from_eye, Mask faces, Mask with_normal,
+INLINE void find_surface(const Geometry *g, const Shading *s, const Ray *ray, bool from_eye, Mask faces, Mask with_normal,
                          Mask active, Surface *surface, WideVec *shifted)
 {
+    WideMask wide_with = TO_WIDE_MASK(with_normal);
     surface->face = faces;
     surface->with_normal = with_normal;
-    surface->only = -1;
+    surface->only = first_of(faces, active);
+    surface->only_material = g->faces[surface->only].material;
     bool first = true;
     for (Mask rest = active; ANY(rest); first = false) {
-        int face = first_of(faces, rest);
+        int face = first ? surface->only : first_of(faces, rest), material = g->faces[face].material;
         Mask here = rest & IS(faces == (Mask)face);
         rest &= ~here;
-        if (first && !ANY(rest))
-            surface->only = face;
-        WideVec off;
-        Surface on = surface_on(g, s, ray, from_eye, face, here, with_normal, &off);
-        Mask there = first ? (Mask)0 : ~here; /* mostly there is one face */
-        WideMask wide_there = TO_WIDE_MASK(there);
-        surface->point = first ? on.point : wide_select(wide_there, surface->point, on.point);
-        *shifted = first ? off : wide_select(wide_there, *shifted, off);
-        surface->normal = first ? on.normal : vec_select(there, surface->normal, on.normal);
-        surface->ambient = first ? on.ambient : vec_select(there, surface->ambient, on.ambient);
-        surface->diffuse = first ? on.diffuse : vec_select(there, surface->diffuse, on.diffuse);
-        surface->specular = first ? on.specular : vec_select(there, surface->specular, on.specular);
-        surface->exponent = first ? on.exponent : there ? surface->exponent : on.exponent;
-        surface->reflection = first ? on.reflection : there ? surface->reflection : on.reflection;
+        WideVec point = point_on(g, ray, from_eye, face, here);
+        PlaneRow plane = plane_row(g, face);
+        WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
+        WideVec turned = wide_select(wide_with, wide_vec(-normal.x, -normal.y, -normal.z), normal);
+        WideVec off = point_shifted(g, face, &plane, turned, wide_with, point);
+        Lanes reflection = (Lanes)s->materials[(size_t)material * MATERIAL_REALS + MATERIAL_REFLECTION];
+        if (first) { /* mostly there is one face */
+            surface->point = point;
+            *shifted = off;
+            surface->normal = vec_to_real(turned);
+            surface->reflection = reflection;
+            surface->material = (Mask)material;
+            continue;
+        }
+        WideMask wide_here = TO_WIDE_MASK(here);
+        surface->point = wide_select(wide_here, point, surface->point);
+        *shifted = wide_select(wide_here, off, *shifted);
+        surface->normal = vec_select(here, vec_to_real(turned), surface->normal);
+        surface->reflection = here ? reflection : surface->reflection;
+        surface->material = here ? (Mask)material : surface->material;
+        surface->only = -1;
+        if (material != surface->only_material)
+            surface->only_material = -1;
     }
 }
 
@@ -134,20 +131,38 @@ static Mask faces_light(const Geometry *g, const Surface *surface, const wide *l
 
 static Lanes at_least_zero(Lanes x) { return x > (Lanes)0 ? x : (Lanes)0; }
 
-/* Blinn-Phong, term by term as light.c: ambient everywhere, the other two where the light reaches. */
-static Vec illuminate(const Surface *surface, global const real *light, Vec l, Vec v, Mask reaches)
+/* The colour of a material in the light, row by row of their tables. */
+INLINE real3 coloured(global const real *material, global const real *light)
 {
-    Vec normal = surface->normal;
-    Vec ambient = vec_multiply(surface->ambient, vec_row(light + LIGHT_AMBIENT));
-    Lanes l_dot_n = at_least_zero(vec_dot(l, normal));
-    Vec halfway = vec_unit(vec_add(l, v));
-    Lanes n_dot_h = at_least_zero(vec_dot(normal, halfway));
-    Vec diffuse = vec_scale(l_dot_n, vec_multiply(surface->diffuse, vec_row(light + LIGHT_DIFFUSE)));
-    Vec shine = vec_multiply(surface->specular, vec_row(light + LIGHT_SPECULAR));
-    Vec specular = vec(0, 0, 0);
-    if (ANY(reaches & (IS(shine.x > (Lanes)0) | IS(shine.y > (Lanes)0) | IS(shine.z > (Lanes)0))))
-        specular = vec_scale(power(n_dot_h, surface->exponent), shine);
-    return vec_select(reaches, vec_add(vec_add(ambient, diffuse), specular), ambient);
+    return (real3)(material[0] * light[0], material[1] * light[1], material[2] * light[2]);
+}
+
+INLINE Vec scale_colour(Lanes s, real3 c) { return vec(s * c.x, s * c.y, s * c.z); }
+
+/* Blinn-Phong, term by term as light.c: ambient everywhere, the other two where the light reaches. The lanes of a packet
+ * mostly have one material. */
+INLINE Vec illuminate(const Shading *s, const Surface *surface, global const real *light, Vec l, Vec v, Mask counted, Mask reaches)
+{
+    Lanes l_dot_n = at_least_zero(vec_dot(l, surface->normal));
+    Lanes n_dot_h = at_least_zero(vec_dot(surface->normal, vec_unit(vec_add(l, v))));
+    Vec colour = vec(0, 0, 0);
+    for (Mask rest = counted; ANY(rest);) {
+        int number = surface->only_material >= 0 ? surface->only_material : first_of(surface->material, rest);
+        Mask here = rest & IS(surface->material == (Mask)number), lit = here & reaches;
+        rest &= ~here;
+        global const real *material = s->materials + (size_t)number * MATERIAL_REALS;
+        real3 ambient = coloured(material + MATERIAL_AMBIENT, light + LIGHT_AMBIENT);
+        Vec sum = vec((Lanes)ambient.x, (Lanes)ambient.y, (Lanes)ambient.z);
+        if (ANY(lit)) {
+            Vec all = vec_add(sum, scale_colour(l_dot_n, coloured(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE)));
+            real3 shine = coloured(material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
+            if (shine.x > 0 || shine.y > 0 || shine.z > 0)
+                all = vec_add(all, scale_colour(power(n_dot_h, (Lanes)material[MATERIAL_EXPONENT]), shine));
+            sum = vec_select(lit, all, sum);
+        }
+        colour = vec_select(here, sum, colour);
+    }
+    return colour;
 }
 
 /* colours: the illumination of the active lanes by all lights; `lit` collects the lanes that some light reaches. */
@@ -186,8 +201,8 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
                 continue;
             /* To a float, the shift is nothing. */
             Vec l = REAL_DOUBLE ? vec_unit(vec_to_real(wide_sub(at, surfaces[p].point))) : vec(-pencils[p].ahead.x, -pencils[p].ahead.y, -pencils[p].ahead.z);
-            Vec sum = illuminate(surfaces + p, light, l, v[p], reaches);
-            colours[p] = vec_select(counted, vec_add(colours[p], sum), colours[p]);
+            Vec sum = illuminate(s, surfaces + p, light, l, v[p], counted, reaches);
+            colours[p] = vec_add(colours[p], sum);
         }
     }
 }

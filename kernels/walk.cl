@@ -7,6 +7,7 @@ typedef int Stack;
 typedef int Bundle;
 
 INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets) { return 0; }
+INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high) { return 0; }
 INLINE Bundle bundle_of(const Line *l, Mask active) { return 0; }
 INLINE void bundle_shorten(Bundle *b, real reach) {}
 INLINE Stack stack_of(const Tree *tree, const Bundle *b) { return 1; }
@@ -37,7 +38,7 @@ INLINE real farthest(const Nearest *n, Mask active)
 /* The nearest faces ahead of the active lanes of the pencils, which come from one apex. False: after more than `budget` faces it
  * gave up; what it has found by then is right but not all. */
 INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, const Pencil *pencils, const Ray *rays,
-                         Nearest *nearest, int packets, uint budget, Counters *counters)
+                         Nearest *nearest, Bundle b, int packets, uint budget, Counters *counters)
 {
     real reach[PACKETS];
     uint lanes = 0, asked = 0;
@@ -48,7 +49,6 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
     }
     if (lanes == 0)
         return true;
-    Bundle b = bundle_from(a, pencils, packets);
     Stack stack = stack_of(tree, &b);
     for (int first, count; next_leaf(g, tree, &b, &stack, &first, &count, counters);) {
         asked += (uint)count;
@@ -79,18 +79,21 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
     return asked <= budget;
 }
 
-/* The same, by packets where all together meet too many faces. */
+/* The same, by packets where all together meet too many faces. b: the bundle of all. */
 INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, const Pencil *pencils, const Ray *rays,
-                              Nearest *nearest, Counters *counters)
+                              Nearest *nearest, Bundle b, Counters *counters)
 {
     int packets = PACKETS;
     uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
-    __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets)
-        if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, packets, budget, counters)) {
+    __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets) {
+        if (packets < PACKETS)
+            b = bundle_from(a, pencils + p, 1);
+        if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, packets, budget, counters)) {
             p = -1;
             packets = 1;
             budget = NO_BUDGET;
         }
+    }
 }
 
 /* The active lanes whose direction is as like that of the first active one as `near` says, pencil by pencil. */
@@ -232,6 +235,6 @@ static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray
     }
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
     Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_largest(direction) : (Lanes)0));
-    find_nearest_from(g, tree, &a, pencils, rays, nearest, counters);
+    find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS), counters);
     return exact_hit(g, ray, nearest, active);
 }
