@@ -61,7 +61,7 @@ $(FOUND):
 # --- The program ----------------------------------------------------------------------------------------------
 
 # The kernel sources in the order in which OpenCL compiles them, as one program.
-KERNELS := layout.h lanes.cl exact.cl geometry.cl apex.cl trace.cl bundle.cl bvh.cl kdtree.cl walk.cl shade.cl render.cl \
+KERNELS := skips.h layout.h lanes.cl exact.cl geometry.cl apex.cl trace.cl bundle.cl bvh.cl kdtree.cl walk.cl shade.cl render.cl \
     beam.cl adaptive.cl
 
 PROGRAM := $(BUILD)/rectray

@@ -39,14 +39,18 @@ typedef struct ApexFace {
     real edge_error;       /* of m . ahead */
     real depth_error;      /* of 1/t */
     bool with_normal;      /* rays that hit it come from behind its normal */
+    bool closed;           /* it is of a closed box of which every other face is left out */
 } ApexFace;
 
 typedef enum Sight { SIGHT_NONE, SIGHT_CLEAR, SIGHT_DOUBTFUL } Sight;
 
 /* `towards`: the rays travel to the apex, not from it; one-sided faces let those through that come from behind the normal.
+ * `outside`: the rays start and end outside of closed boxes, of which every other face is left out then: backs from the eye, from
+ * a light the faces that are turned to it.
  * SIGHT_NONE: no ray from the apex hits it. SIGHT_DOUBTFUL: the apex is so close to its plane that rounding may decide. */
-INLINE Sight see_face(const Apex *a, global const real *row, bool towards, ApexFace *f)
+INLINE Sight see_face(const Apex *a, global const real *row, bool towards, bool outside, ApexFace *f)
 {
+    f->closed = outside && row[FACE_BACK_IS] == BACK_INSIDE;
     real nx = row[FACE_NORMAL], ny = row[FACE_NORMAL + 1], nz = row[FACE_NORMAL + 2], offset = row[FACE_OFFSET];
     real x = nx * a->x, y = ny * a->y, z = nz * a->z;
     real d = x + y + z + offset;
@@ -55,7 +59,7 @@ INLINE Sight see_face(const Apex *a, global const real *row, bool towards, ApexF
     if (!(fabs(d) > 4 * slack))
         return SIGHT_DOUBTFUL;
     f->with_normal = d < 0;
-    if (f->with_normal != towards && row[FACE_FRONT_ONLY] != 0)
+    if (f->with_normal != towards && (row[FACE_BACK_IS] == BACK_OPEN || f->closed))
         return SIGHT_NONE;
     real4 turn = (real4)(f->with_normal ? 1 : -1);
     real4 ax = (real4)a->x, ay = (real4)a->y, az = (real4)a->z;

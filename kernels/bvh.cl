@@ -31,18 +31,38 @@ INLINE void fetch(global const void *p, uint bytes)
 #endif
 }
 
+/* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. */
+INLINE uint children_met(const Tree *tree, const Bundle *b, int node, int part, Lanes *enter)
+{
+    global const float *boxes = tree->floats + (size_t)node * (6 * NODE_WIDTH) + part;
+    Lanes leave = (Lanes)b->reach;
+    *enter = (Lanes)0;
+    for (int axis = 0; axis < 3; axis++)
+        cross_slab(b->slabs[axis], LOAD_FLOATS(boxes + 2 * axis * NODE_WIDTH), LOAD_FLOATS(boxes + (2 * axis + 1) * NODE_WIDTH),
+                   enter, &leave);
+    return mask_bits(IS(*enter <= GROWN(leave)));
+}
+
+/* Does the bundle miss all that is in the tree? */
+INLINE bool misses_all(const Tree *tree, const Bundle *b)
+{
+    for (int part = 0; part < NODE_WIDTH; part += LANES) {
+        Lanes enter;
+        for (uint met = children_met(tree, b, 0, part, &enter); met; met &= met - 1)
+            if (tree->ints[part + lowest_bit(met)] != NO_CHILD)
+                return false;
+    }
+    return true;
+}
+
 /* Puts the children that the bundle may meet on the stack. */
 INLINE void push_children(const Geometry *g, const Tree *tree, const Bundle *b, int node, Stack *stack)
 {
-    global const float *boxes = tree->floats + (size_t)node * (6 * NODE_WIDTH);
     global const int *children = tree->ints + (size_t)node * NODE_WIDTH;
     int floor = stack->count;
     for (int part = 0; part < NODE_WIDTH; part += LANES) {
-        Lanes enter = (Lanes)0, leave = (Lanes)b->reach;
-        for (int axis = 0; axis < 3; axis++)
-            cross_slab(b->slabs[axis], LOAD_FLOATS(boxes + 2 * axis * NODE_WIDTH + part),
-                       LOAD_FLOATS(boxes + (2 * axis + 1) * NODE_WIDTH + part), &enter, &leave);
-        uint met = mask_bits(IS(enter <= GROWN(leave)));
+        Lanes enter;
+        uint met = children_met(tree, b, node, part, &enter);
         if (!met)
             continue;
         real enters[LANES];

@@ -53,16 +53,25 @@ INLINE Part above_plane(Slab s, real plane, Part part)
     return part;
 }
 
-INLINE Stack stack_of(const Tree *tree, const Bundle *b)
+/* The part in the box of the whole tree. */
+INLINE Part part_in_tree(const Tree *tree, const Bundle *b)
 {
     Part part = {0, b->reach};
     for (int axis = 0; axis < 3; axis++) {
         part = above_plane(b->slabs[axis], tree->floats[2 * axis], part);
         part = below_plane(b->slabs[axis], tree->floats[2 * axis + 1], part);
     }
+    return part;
+}
+
+/* Does the bundle miss all that is in the tree? */
+INLINE bool misses_all(const Tree *tree, const Bundle *b) { return part_is_empty(b, part_in_tree(tree, b)); }
+
+INLINE Stack stack_of(const Tree *tree, const Bundle *b)
+{
     Stack stack;
     stack.count = 0;
-    stack_push(&stack, 0, part);
+    stack_push(&stack, 0, part_in_tree(tree, b));
     return stack;
 }
 

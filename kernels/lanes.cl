@@ -42,6 +42,17 @@ typedef float8 real8;
 #define SHIFT_FLOOR 0x1p-60f
 #endif
 
+/* Is that work left out where a scene does not need it? All is unless a build option says otherwise. */
+#ifndef NO_SKIP
+#define NO_SKIP 0
+#endif
+#define SKIPS(skip) (!((NO_SKIP) >> (skip) & 1))
+
+/* Can a path go on after its first hit? */
+#ifndef MIRRORS
+#define MIRRORS 1
+#endif
+
 /* Some functions the compiler would rather call; a call passes its vectors through memory. */
 #define INLINE static inline __attribute__((always_inline))
 #define NOINLINE static __attribute__((noinline))
@@ -64,6 +75,7 @@ typedef int Mask; /* all bits set: yes, 0: no; also holds the number of a face *
 typedef int WideMask;
 typedef int IntLanes;
 #define TO_INT(x) ((int)(x))
+#define INTS_TO_MASK(m) (m)
 #define IS(comparison) (-(comparison))
 #define TO_WIDE(x) ((wide)(x))
 #define TO_REAL(x) ((real)(x))
@@ -107,6 +119,11 @@ typedef PASTE(int, LANES) WideMask;
 #endif
 typedef PASTE(int, LANES) IntLanes;
 #define TO_INT(x) PASTE(convert_int, LANES)(x)
+#if REAL_DOUBLE
+#define INTS_TO_MASK(m) PASTE(convert_long, LANES)(m)
+#else
+#define INTS_TO_MASK(m) (m)
+#endif
 #define IS(comparison) (comparison)
 #define LOAD(p) PASTE(vload, LANES)(0, p)
 #define STORE(v, p) PASTE(vstore, LANES)(v, 0, p)

@@ -5,6 +5,10 @@
 #ifndef RECTRAY_LAYOUT_H
 #define RECTRAY_LAYOUT_H
 
+#ifndef __OPENCL_VERSION__ /* there, all files are one text */
+#include "skips.h"
+#endif
+
 /* A face as it is traced: exactly the float32 vertices of the scene. */
 typedef struct FaceRecord {
     float vertices[12]; /* 4 x (x, y, z); a triangle repeats its first */
@@ -43,8 +47,15 @@ enum {
     FACE_NORMAL = 26,          /* 3, unit */
     FACE_OFFSET = 29,          /* D = -N.v0 */
     FACE_WARP = 30,            /* no vertex is farther than this from the plane N.P + D = 0 */
-    FACE_FRONT_ONLY = 31,      /* 1: rays from behind the normal pass */
+    FACE_BACK_IS = 31,            /* what its back is to rays: see below */
     FACE_REALS = 32
+};
+
+/* The back of a face: where the normal does not point. */
+enum {
+    BACK_LIKE_FRONT = 0,
+    BACK_OPEN = 1,  /* rays pass: the face is one-sided */
+    BACK_INSIDE = 2 /* of a closed box: rays from outside meet a front of the box first */
 };
 
 /* Planes are rows of `wide`: double wherever the device has it. */
@@ -108,10 +119,10 @@ enum {
     COUNT_PRIMARY,
     COUNT_SHADOW,
     COUNT_REFLECTION,
-    COUNT_LIGHT_BEHIND,
     COUNT_FACE_TESTS, /* rays times faces */
     COUNT_BOX_TESTS,  /* bundles times boxes */
-    COUNTER_KINDS,
+    COUNT_SKIPPED,    /* SKIPS_COUNTED kinds */
+    COUNTER_KINDS = COUNT_SKIPPED + SKIPS_COUNTED,
     COUNTER_STRIPES = 64,
     COUNTER_STRIDE = 16 /* 4-byte counters from one copy to the next: a cache line */
 };

@@ -128,7 +128,7 @@ typedef struct Path {
 
 /* The nearest faces of rays that come from images of the eye: those that share one are searched together. */
 INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, Pencil *pencils,
-                           Nearest *nearest, Counters *counters)
+                           Nearest *nearest, Mask *close, Counters *counters)
 {
     Mask rest[PACKETS];
     EACH_PACKET(p)
@@ -164,13 +164,15 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
             nearest[p].limit = 1 / nearest[p].begin;
         }
         Apex a = apex_at(image, -lanes_lowest(-spread), 1 + 4 * REAL_ROUNDING); /* reflected directions are unit vectors */
-        find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS), counters);
+        find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS), false, close, counters);
     }
+    EACH_PACKET(p)
+        close[p] = (Mask)-1; /* what is left out is proved for rays from the eye only */
 }
 
 /* The nearest faces of all paths; first from the eye, then from its images. */
 INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, const Bundle *seen, const Path *paths,
-                         const Ray *rays, bool from_eye, Nearest *nearest, Counters *counters)
+                         const Ray *rays, bool from_eye, Nearest *nearest, Mask *close, Counters *counters)
 {
     Pencil pencils[PACKETS];
     EACH_PACKET(p) {
@@ -182,9 +184,37 @@ INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, c
         pencils[p].ahead = vec_to_real(rays[p].direction);
     }
     if (from_eye)
-        find_nearest_from(g, tree, eye, pencils, rays, nearest, *seen, counters);
+        find_nearest_from(g, tree, eye, pencils, rays, nearest, *seen, true, close, counters);
     else
-        find_reflected(g, tree, paths, rays, pencils, nearest, counters);
+        find_reflected(g, tree, paths, rays, pencils, nearest, close, counters);
+}
+
+/* floor(255 c + 0.5) of the clamped colour, as in light.c. */
+INLINE IntLanes colour_to_byte(Lanes c)
+{
+    c = c > (Lanes)0 ? c : (Lanes)0;
+    c = c < (Lanes)1 ? c : (Lanes)1;
+    return TO_INT((real)255 * c + (real)0.5); /* at least 0: cutting off is floor */
+}
+
+/* Ends the paths all of whose further hits together could not change a byte of the picture: those whose bytes are the same with
+ * the most that can come. That is known where a path is its pixel's only one. */
+INLINE void drop_weak(const Shading *s, Path *path, Lanes reflection, Counters *counters)
+{
+#if defined(LINEAR) || ADAPTIVE
+#else
+    if (!SKIPS(SKIP_WEAK_BOUNCE) || s->parameters->grid > 1 || !ANY(path->active))
+        return;
+    Lanes most = path->weight * reflection * (Lanes)s->view[VIEW_BRIGHTEST];
+    Vec t = path->total;
+    const real rounded = 1 + 256 * REAL_ROUNDING; /* no sum of up to PATH_MAX terms is rounded up by more */
+    IntLanes red = IS(colour_to_byte(t.x) == colour_to_byte((t.x + most) * rounded));
+    IntLanes green = IS(colour_to_byte(t.y) == colour_to_byte((t.y + most) * rounded));
+    IntLanes blue = IS(colour_to_byte(t.z) == colour_to_byte((t.z + most) * rounded));
+    Mask same = INTS_TO_MASK(red & green & blue);
+    counters->kinds[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += mask_count(path->active & same);
+    path->active &= ~same;
+#endif
 }
 
 /* Sets each path's total to its hits' illuminations, each weighted by the mirrors before it. All rays start at the eye, the
@@ -203,7 +233,8 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, co
     }
     for (int bounces = 0;; bounces++) {
         Nearest nearest[PACKETS];
-        find_nearest(g, s->tree, apex, seen, paths, rays, bounces == 0, nearest, counters);
+        Mask close[PACKETS];
+        find_nearest(g, s->tree, apex, seen, paths, rays, bounces == 0, nearest, close, counters);
 
         Surface surfaces[PACKETS];
         WideVec shifted[PACKETS];
@@ -224,19 +255,23 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, co
         }
         if (!any_packet(active))
             return;
-        shade(g, s, surfaces, shifted, v, active, illumination, lit, counters);
+        shade(g, s, surfaces, shifted, close, v, active, illumination, lit, counters);
 
         EACH_PACKET(p) {
             Path *path = paths + p;
             if (!ANY(path->active))
                 continue;
             path->total = vec_select(path->active, vec_add(path->total, vec_scale(path->weight, illumination[p])), path->total);
+            if (!MIRRORS)
+                continue;
             if (!parameters->shadow_ambient)
                 path->active &= lit[p];
             path->active &= IS(surfaces[p].reflection > (Lanes)0);
+            if (bounces < parameters->max_bounces)
+                drop_weak(s, path, surfaces[p].reflection, counters);
             active[p] = path->active;
         }
-        if (bounces == parameters->max_bounces || !any_packet(active))
+        if (!MIRRORS || bounces == parameters->max_bounces || !any_packet(active))
             return;
         EACH_PACKET(p) {
             Path *path = paths + p;
@@ -260,14 +295,6 @@ static void add_counters(volatile global uint *totals, const Counters *counters)
     for (int kind = 0; kind < COUNTER_KINDS; kind++)
         if (counters->kinds[kind])
             atomic_add(stripe + kind, counters->kinds[kind]);
-}
-
-/* floor(255 c + 0.5) of the clamped colour, as in light.c. */
-INLINE IntLanes colour_to_byte(Lanes c)
-{
-    c = c > (Lanes)0 ? c : (Lanes)0;
-    c = c < (Lanes)1 ? c : (Lanes)1;
-    return TO_INT((real)255 * c + (real)0.5); /* at least 0: cutting off is floor */
 }
 
 #ifdef LINEAR
@@ -351,6 +378,18 @@ static void store_packet(global uchar *rgb, const Parameters *p, int first_colum
 }
 #endif
 
+/* What rays see that miss all faces. */
+INLINE void see_background(const Shading *s, const Mask *inside, Vec *sum, Counters *counters)
+{
+    Vec background = vec_row(s->view + VIEW_BACKGROUND);
+    EACH_PACKET(k) {
+        uint rays = mask_count(inside[k]);
+        sum[k] = vec_add(sum[k], background);
+        counters->kinds[COUNT_PRIMARY] += rays;
+        counters->kinds[COUNT_SKIPPED + SKIP_EMPTY_TILE] += rays;
+    }
+}
+
 /* rgb: band_rows * columns * 3 bytes. One work-item per tile, tiles row by row; surplus work-items do nothing. */
 kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                    global const wide *planes, global const real *materials, global const real *lights,
@@ -378,6 +417,11 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
     for (int j = 0; j < p.grid; j++)
         for (int i = 0; i < p.grid; i++) {
             ScreenPlaces places = screen_places(&s, first_column, p.first_row + first_row, i, j);
+            Bundle seen = screen_bundle(&s, &apex, &places);
+            if (SKIPS(SKIP_EMPTY_TILE) && misses_all(&tree, &seen)) {
+                see_background(&s, inside, sum, &counters);
+                continue;
+            }
             Path paths[PACKETS];
             Ray rays[PACKETS];
             EACH_PACKET(k) {
@@ -386,7 +430,6 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
                 paths[k].active = inside[k];
                 counters.kinds[COUNT_PRIMARY] += mask_count(inside[k]);
             }
-            Bundle seen = screen_bundle(&s, &apex, &places);
             trace_paths(&g, &s, &apex, &seen, paths, rays, 0, &counters);
             EACH_PACKET(k)
                 sum[k] = vec_add(sum[k], paths[k].total);

@@ -141,7 +141,8 @@ INLINE Vec scale_colour(Lanes s, real3 c) { return vec(s * c.x, s * c.y, s * c.z
 
 /* Blinn-Phong, term by term as light.c: ambient everywhere, the other two where the light reaches. The lanes of a packet
  * mostly have one material. */
-INLINE Vec illuminate(const Shading *s, const Surface *surface, global const real *light, Vec l, Vec v, Mask counted, Mask reaches)
+INLINE Vec illuminate(const Shading *s, const Surface *surface, global const real *light, Vec l, Vec v, Mask counted, Mask reaches,
+                      Counters *counters)
 {
     Lanes l_dot_n = at_least_zero(vec_dot(l, surface->normal));
     Lanes n_dot_h = at_least_zero(vec_dot(surface->normal, vec_unit(vec_add(l, v))));
@@ -156,7 +157,9 @@ INLINE Vec illuminate(const Shading *s, const Surface *surface, global const rea
         if (ANY(lit)) {
             Vec all = vec_add(sum, scale_colour(l_dot_n, coloured(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE)));
             real3 shine = coloured(material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
-            if (shine.x > 0 || shine.y > 0 || shine.z > 0)
+            if (SKIPS(SKIP_HIGHLIGHT) && shine.x == 0 && shine.y == 0 && shine.z == 0)
+                counters->kinds[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(lit);
+            else
                 all = vec_add(all, scale_colour(power(n_dot_h, (Lanes)material[MATERIAL_EXPONENT]), shine));
             sum = vec_select(lit, all, sum);
         }
@@ -165,9 +168,18 @@ INLINE Vec illuminate(const Shading *s, const Surface *surface, global const rea
     return colour;
 }
 
-/* colours: the illumination of the active lanes by all lights; `lit` collects the lanes that some light reaches. */
-INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, const WideVec *shifted, const Vec *v,
-                  const Mask *active, Vec *colours, Mask *lit, Counters *counters)
+INLINE bool has_only_ambient(global const real *light)
+{
+    bool only = true;
+    for (int i = 0; i < 3; i++)
+        only &= light[LIGHT_DIFFUSE + i] == 0 && light[LIGHT_SPECULAR + i] == 0;
+    return only;
+}
+
+/* colours: the illumination of the active lanes by all lights; `lit` collects the lanes that some light reaches.
+ * close: the lanes whose points rounding may have put into a closed box. */
+INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, const WideVec *shifted, const Mask *close,
+                  const Vec *v, const Mask *active, Vec *colours, Mask *lit, Counters *counters)
 {
     EACH_PACKET(p) {
         colours[p] = vec(0, 0, 0);
@@ -179,6 +191,7 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
                             (wide)light[2] + (wide)light[5]};
         WideVec at = wide_vec((Wide)position[0], (Wide)position[1], (Wide)position[2]);
         LightSide side = {-1, 0};
+        bool only_ambient = SKIPS(SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && has_only_ambient(light);
         Pencil pencils[PACKETS];
         Mask facing[PACKETS], asking[PACKETS], blocked[PACKETS];
         EACH_PACKET(p) {
@@ -187,12 +200,19 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
                 continue;
             facing[p] = faces_light(g, surfaces + p, position, active[p], &side);
             asking[p] = facing[p];
-            counters->kinds[COUNT_LIGHT_BEHIND] += mask_count(active[p] & ~facing[p]);
-            counters->kinds[COUNT_SHADOW] += mask_count(facing[p]);
+            if (only_ambient)
+                counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += mask_count(facing[p]);
+            if (SKIPS(SKIP_LIGHT_BEHIND))
+                counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += mask_count(active[p] & ~facing[p]);
+            else
+                asking[p] = active[p];
+            if (only_ambient)
+                asking[p] = facing[p] = (Mask)0;
+            counters->kinds[COUNT_SHADOW] += mask_count(asking[p]);
             pencils[p].left = surfaces[p].face;
             aim_from_light(pencils + p, at, shifted[p]);
         }
-        find_blocked(g, s->tree, position, pencils, shifted, asking, blocked, counters);
+        find_blocked(g, s->tree, position, pencils, shifted, close, asking, blocked, counters);
         EACH_PACKET(p) {
             Mask reaches = facing[p] & ~blocked[p];
             lit[p] |= reaches;
@@ -201,7 +221,7 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
                 continue;
             /* To a float, the shift is nothing. */
             Vec l = REAL_DOUBLE ? vec_unit(vec_to_real(wide_sub(at, surfaces[p].point))) : vec(-pencils[p].ahead.x, -pencils[p].ahead.y, -pencils[p].ahead.z);
-            Vec sum = illuminate(s, surfaces + p, light, l, v[p], counted, reaches);
+            Vec sum = illuminate(s, surfaces + p, light, l, v[p], counted, reaches, counters);
             colours[p] = vec_add(colours[p], sum);
         }
     }

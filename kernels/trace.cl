@@ -146,8 +146,39 @@ NOINLINE bool settle_nearest(const Geometry *g, const Ray *ray, Mask doubt, int 
     return true;
 }
 
-/* Asks face i; true if it is nearer in some lane. Comparisons are such that NaN, from overflow, is a doubt. */
-INLINE bool ask_nearest_from(const Geometry *g, const Pencil *p, const Ray *ray, const ApexFace *f, int i, Nearest *nearest)
+/* Of the lanes, those in which the ray passes so near to an edge of face i, or meets its plane so near to the nearest face, that
+ * rounding might put the point on the other side. */
+NOINLINE Mask barely_meet(const Geometry *g, const Ray *ray, Mask lanes, int i, const Nearest *nearest)
+{
+#if REAL_DOUBLE || HAS_DOUBLE
+    const wide share = 0x1p-26f; /* rounding in `wide` is far below it */
+    global const FaceRecord *face = g->faces + i;
+    global const real *row = g->edges + (size_t)i * FACE_REALS;
+    Wide largest = fabs(ray->direction.x);
+    largest = GREATER(largest, fabs(ray->direction.y));
+    largest = GREATER(largest, fabs(ray->direction.z));
+    Wide bound = share * largest * ((wide)row[FACE_MOMENT_BOUND] + wide_magnitudes(ray->origin) * (wide)row[FACE_DIRECTION_BOUND]);
+    WideMask near = (WideMask)0;
+    for (int k = 0; k < 4; k++) {
+        global const float *v = face->vertices + 3 * k, *w = face->vertices + 3 * ((k + 1) % 4);
+        WideVec a = wide_vec(v[0] - ray->origin.x, v[1] - ray->origin.y, v[2] - ray->origin.z);
+        WideVec b = wide_vec(w[0] - ray->origin.x, w[1] - ray->origin.y, w[2] - ray->origin.z);
+        WideVec c = wide_vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+        near |= ~IS(fabs(wide_dot(ray->direction, c)) > bound);
+    }
+    Wide t = plane_hit(g, i, &ray->origin, &ray->direction, TO_WIDE_MASK(lanes)).t;
+    Wide best = exact_hit(g, ray, nearest, lanes).t;
+    near |= ~IS(fabs(t - best) > share * fabs(t));
+    return lanes & TO_MASK(near);
+#else
+    return lanes;
+#endif
+}
+
+/* Asks face i; true if it is nearer in some lane. Comparisons are such that NaN, from overflow, is a doubt. close: collects the
+ * lanes in which rounding decides, or might make the back of a closed box as near as its front. */
+INLINE bool ask_nearest_from(const Geometry *g, const Pencil *p, const Ray *ray, const ApexFace *f, int i, Nearest *nearest,
+                             Mask *close)
 {
     Lanes edge = least_edge(p->ahead, f);
     Mask may = p->active & ~IS(edge < (Lanes)-f->edge_error) & IS(p->left != (Mask)i);
@@ -156,12 +187,15 @@ INLINE bool ask_nearest_from(const Geometry *g, const Pencil *p, const Ray *ray,
     Lanes inverse = along(p->ahead, f->nx, f->ny, f->nz);
     Lanes low = inverse - f->depth_error, high = inverse + f->depth_error;
     may &= ~IS(high < nearest->low) & ~IS(low > nearest->limit) & IS(nearest->face != (Mask)i);
+    Mask grazing = f->closed ? may & ~IS(edge > (Lanes)(4 * f->edge_error)) : (Mask)0;
     Mask take = may & IS(edge > (Lanes)f->edge_error) & IS(low > nearest->high) & IS(high < nearest->limit);
+    Mask doubt = may & ~take;
+    if (ANY(doubt | grazing))
+        *close |= barely_meet(g, ray, doubt | grazing, i, nearest);
     nearest->low = take ? low : nearest->low;
     nearest->high = take ? high : nearest->high;
     nearest->face = take ? (Mask)i : nearest->face;
     nearest->with_normal = take ? (Mask)(f->with_normal ? -1 : 0) : nearest->with_normal;
-    Mask doubt = may & ~take;
     bool nearer = ANY(take);
     if (ANY(doubt))
         nearer |= settle_nearest(g, ray, doubt, i, nearest);

@@ -11,6 +11,7 @@ INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high) { 
 INLINE Bundle bundle_of(const Line *l, Mask active) { return 0; }
 INLINE void bundle_shorten(Bundle *b, real reach) {}
 INLINE Stack stack_of(const Tree *tree, const Bundle *b) { return 1; }
+INLINE bool misses_all(const Tree *tree, const Bundle *b) { return false; }
 INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
 
 INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *c)
@@ -22,9 +23,18 @@ INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, Stac
 
 #endif
 
+INLINE bool any_packet(const Mask *masks)
+{
+    Mask any = masks[0];
+    for (int p = 1; p < PACKETS; p++)
+        any |= masks[p];
+    return ANY(any);
+}
+
 /* How many faces a large group of rays may meet before it is cut into smaller ones; tuned on the ladder of scenes. */
 enum { NEAREST_BUDGET = 16, BLOCKED_BUDGET = 12 };
 #define NO_BUDGET 0xffffffffu
+#define NEAR_MOST ((real)0.1f)
 #define NEAR_LEAST ((real)3e-3f) /* groups of directions so near are cut no more */
 #define NEAR_LESS ((real)0.125f)
 
@@ -36,9 +46,10 @@ INLINE real farthest(const Nearest *n, Mask active)
 }
 
 /* The nearest faces ahead of the active lanes of the pencils, which come from one apex. False: after more than `budget` faces it
- * gave up; what it has found by then is right but not all. */
+ * gave up; what it has found by then is right but not all. `outside`: as see_face. close: collects the lanes
+ * that might need what is left out. */
 INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, const Pencil *pencils, const Ray *rays,
-                         Nearest *nearest, Bundle b, int packets, uint budget, Counters *counters)
+                         Nearest *nearest, Bundle b, int packets, uint budget, bool outside, Mask *close, Counters *counters)
 {
     real reach[PACKETS];
     uint lanes = 0, asked = 0;
@@ -55,15 +66,20 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
         for (int k = first; k < first + count; k++) {
             int i = face_in_leaf(tree, k);
             ApexFace face;
-            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, false, &face);
-            if (sight == SIGHT_NONE)
+            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, false, outside, &face);
+            if (sight == SIGHT_NONE) {
+                if (face.closed)
+                    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
                 continue;
+            }
             real farthest_reach = 0;
             EACH_OF(p, packets) {
                 if (reach[p] > 0) {
                     const Pencil *pencil = pencils + p;
+                    if (sight == SIGHT_DOUBTFUL)
+                        close[p] |= pencil->active;
                     bool nearer = sight == SIGHT_CLEAR
-                                      ? ask_nearest_from(g, pencil, rays + p, &face, i, nearest + p)
+                                      ? ask_nearest_from(g, pencil, rays + p, &face, i, nearest + p, close + p)
                                       : settle_nearest(g, rays + p, pencil->active & IS(pencil->left != (Mask)i), i, nearest + p);
                     if (nearer)
                         reach[p] = farthest(nearest + p, pencil->active);
@@ -79,19 +95,27 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
     return asked <= budget;
 }
 
-/* The same, by packets where all together meet too many faces. b: the bundle of all. */
-INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, const Pencil *pencils, const Ray *rays,
-                              Nearest *nearest, Bundle b, Counters *counters)
+/* The same, by packets where all together meet too many faces, and then with what was left out for the lanes in which that
+ * might matter, which `close` collects. b: the bundle of all. What is active in the pencils does not stay. */
+INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, Pencil *pencils, const Ray *rays,
+                              Nearest *nearest, Bundle b, bool outside, Mask *close, Counters *counters)
 {
+    EACH_PACKET(p)
+        close[p] = (Mask)0;
     int packets = PACKETS;
     uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
     __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets) {
         if (packets < PACKETS)
             b = bundle_from(a, pencils + p, 1);
-        if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, packets, budget, counters)) {
+        if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, packets, budget, outside, close + p, counters)) {
             p = -1;
             packets = 1;
             budget = NO_BUDGET;
+        } else if (outside && p + packets == PACKETS && any_packet(close)) {
+            outside = false;
+            EACH_PACKET(k)
+                pencils[k].active = close[k];
+            p = -packets;
         }
     }
 }
@@ -114,18 +138,10 @@ INLINE void like_first(const Pencil *pencils, const Mask *rest, real near, Mask 
     }
 }
 
-INLINE bool any_packet(const Mask *masks)
-{
-    Mask any = masks[0];
-    for (int p = 1; p < PACKETS; p++)
-        any |= masks[p];
-    return ANY(any);
-}
-
 /* blocked: collects the active lanes of the pencils whose segments from the point to the target, an apex, a face blocks, strictly
  * between the two; they are active no more. False: after more than `budget` faces it gave up. */
 INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, const wide *target, Pencil *pencils,
-                         const WideVec *points, Mask *blocked, uint budget, Counters *counters)
+                         const WideVec *points, Mask *blocked, uint budget, bool outside, Counters *counters)
 {
     uint asking[PACKETS], lanes = 0, asked = 0;
     real nearest_end = REACH_ALL;
@@ -143,9 +159,12 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
             int i = face_in_leaf(tree, k);
             counters->kinds[COUNT_FACE_TESTS] += lanes;
             ApexFace face;
-            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, true, &face);
-            if (sight == SIGHT_NONE)
+            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, true, outside, &face);
+            if (sight == SIGHT_NONE) {
+                if (face.closed)
+                    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
                 continue;
+            }
             EACH_PACKET(p) {
                 if (asking[p] == 0)
                     continue;
@@ -167,15 +186,29 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
     return asked <= budget;
 }
 
-/* The same for the lanes of `rest`, in groups of like directions: the more faces a group meets, the smaller the next ones. */
+/* The same for the lanes of `rest`, in groups of like directions: the more faces a group meets, the smaller the next ones.
+ * Those that are `close` come last, and all faces are asked for them. */
 INLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, Pencil *pencils, const WideVec *points,
-                         Mask *rest, Mask *blocked, Counters *counters)
+                         const Mask *close, Mask *rest, Mask *blocked, Counters *counters)
 {
+    Mask later[PACKETS];
     Apex a = apex_at(target, 0, 1 + 4 * REAL_ROUNDING);
-    real near = (real)0.1f;
-    EACH_PACKET(p)
+    real near = NEAR_MOST;
+    bool outside = true;
+    EACH_PACKET(p) {
         blocked[p] = (Mask)0;
-    while (any_packet(rest)) {
+        later[p] = rest[p] & close[p];
+        rest[p] &= ~close[p];
+    }
+    for (;;) {
+        if (!any_packet(rest)) {
+            if (!outside || !any_packet(later))
+                return;
+            outside = false;
+            near = NEAR_MOST;
+            EACH_PACKET(p)
+                rest[p] = later[p];
+        }
         Mask group[PACKETS];
         like_first(pencils, rest, near, group);
         EACH_PACKET(p) {
@@ -183,7 +216,7 @@ INLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target
             pencils[p].active = group[p];
         }
         bool last = near < NEAR_LEAST;
-        if (!walk_blocked(g, tree, &a, target, pencils, points, blocked, last ? NO_BUDGET : BLOCKED_BUDGET, counters)) {
+        if (!walk_blocked(g, tree, &a, target, pencils, points, blocked, last ? NO_BUDGET : BLOCKED_BUDGET, outside, counters)) {
             near *= NEAR_LESS;
             EACH_PACKET(p)
                 rest[p] |= pencils[p].active;
@@ -225,6 +258,7 @@ static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray
     Pencil pencils[PACKETS];
     Nearest nearest[PACKETS];
     Ray rays[PACKETS];
+    Mask close[PACKETS];
     Vec direction = vec_to_real(ray->direction);
     EACH_PACKET(p) {
         rays[p] = *ray;
@@ -235,6 +269,6 @@ static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray
     }
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
     Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_largest(direction) : (Lanes)0));
-    find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS), counters);
+    find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS), false, close, counters);
     return exact_hit(g, ray, nearest, active);
 }

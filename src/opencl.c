@@ -3,6 +3,7 @@
 
 #include "light.h"
 #include "opencl_refine.h"
+#include "skip.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -99,11 +100,11 @@ static int band_limit(const OpenclSession *session, const Scene *scene)
     return rows;
 }
 
-static bool render_session(OpenclSession *session, const Scene *scene, const RenderSettings *settings, BandSink sink,
-                           RenderReport *report, Error *error)
+static bool render_session(OpenclSession *session, const Scene *scene, bool mirrors, const RenderSettings *settings,
+                           BandSink sink, RenderReport *report, Error *error)
 {
     SceneOnDevice on_device;
-    if (!opencl_prepare(session, "render", scene, settings, &on_device, report, error))
+    if (!opencl_prepare(session, "render", scene, mirrors, settings, &on_device, report, error))
         return false;
     int most_rows = band_limit(session, scene);
     size_t values = (size_t)most_rows * (size_t)scene->screen.columns * 3, bytes = values * value_bytes(session);
@@ -139,7 +140,10 @@ bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink 
 {
     memset(report, 0, sizeof *report);
     OpenclSession session = {.linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
-    bool ok = render_session(&session, scene, settings, sink, report, error);
+    LeanScene lean;
+    bool ok = lean_scene_make(&lean, scene, settings, report, error) &&
+              render_session(&session, &lean.scene, lean.mirrors, settings, sink, report, error);
     opencl_close(&session);
+    lean_scene_free(&lean);
     return ok;
 }

@@ -81,21 +81,23 @@ static bool report_build_failure(OpenclSession *session, cl_int status, Error *e
     return false;
 }
 
-static void write_options(const OpenclSession *session, TreeOptions tree, RenderReport *report)
+static void write_options(const OpenclSession *session, Variant variant, RenderReport *report)
 {
-    int accel = tree.kind == ACCEL_BVH ? 1 : tree.kind == ACCEL_KDTREE ? 2 : 0;
+    int accel = variant.accel == ACCEL_BVH ? 1 : variant.accel == ACCEL_KDTREE ? 2 : 0;
     snprintf(report->build_options, sizeof report->build_options,
              "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DPACKETS=%d -DPACKETS_ACROSS=%d "
              "-DPACKET_COLUMNS=%d -DPACKET_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
              "-DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
              session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double,
              session->packets_across * session->packets_across, session->packets_across, session->packet_columns,
-             session->lanes / session->packet_columns, accel, tree.node_width, tree.stack_size, (int)sizeof(FaceRecord),
+             session->lanes / session->packet_columns, accel, variant.node_width, variant.stack_size, (int)sizeof(FaceRecord),
              (int)sizeof(Parameters));
-    if (session->linear)
-        strncat(report->build_options, " -DLINEAR=1", sizeof report->build_options - strlen(report->build_options) - 1);
-    if (session->adaptive)
-        strncat(report->build_options, " -DADAPTIVE=1", sizeof report->build_options - strlen(report->build_options) - 1);
+    char *options = report->build_options;
+    size_t room = sizeof report->build_options, used = strlen(options);
+    used += (size_t)snprintf(options + used, room - used, "%s%s%s", session->linear ? " -DLINEAR=1" : "",
+                             session->adaptive ? " -DADAPTIVE=1" : "", variant.mirrors ? "" : " -DMIRRORS=0");
+    if (variant.no_skip)
+        snprintf(options + used, room - used, " -DNO_SKIP=%u", variant.no_skip);
 }
 
 static CacheKey key_of(const OpenclSession *session, const Sources *sources, const char *name, const char *options)
@@ -193,7 +195,7 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
     return true;
 }
 
-bool opencl_build(OpenclSession *session, const char *name, TreeOptions tree, RenderReport *report, Error *error)
+bool opencl_build(OpenclSession *session, const char *name, Variant variant, RenderReport *report, Error *error)
 {
     double start = clock_ms();
     Sources sources = {.count = 0};
@@ -201,12 +203,12 @@ bool opencl_build(OpenclSession *session, const char *name, TreeOptions tree, Re
     for (int i = 0; ok && i < kernel_source_count; i++)
         ok = sources_add(&sources, i, getenv("RECTRAY_KERNELS"), error);
     if (ok) {
-        write_options(session, tree, report);
+        write_options(session, variant, report);
         session->key = key_of(session, &sources, name, report->build_options);
         ok = build_program(session, &sources, report->build_options, error);
     }
     sources_free(&sources);
-    report->accel = tree.kind;
+    report->accel = variant.accel;
     report->compile_ms = clock_ms() - start;
     return ok;
 }

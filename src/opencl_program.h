@@ -32,17 +32,19 @@ typedef struct OpenclSession {
 /* Opens the device of the settings and chooses its number of lanes; time and device go to the report. */
 bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderReport *report, Error *error);
 
-/* How the kernels find faces: a build option each. */
-typedef struct TreeOptions {
-    AccelKind kind;   /* not ACCEL_AUTO */
+/* What the kernels are built for: a build option each. */
+typedef struct Variant {
+    AccelKind accel;  /* not ACCEL_AUTO */
     int node_width;
     int stack_size;   /* nodes that a walk may have to remember */
-} TreeOptions;
+    bool mirrors;     /* whether a path can go on after its first hit */
+    unsigned no_skip; /* as in RenderSettings */
+} Variant;
 
 /* Builds the program for running the kernel `name`: from the sources embedded in rectray, or from the files of the folder that
  * the environment variable RECTRAY_KERNELS names (unless it is empty), or from what an earlier run has kept of the same
  * sources. Time and build options go to the report. A kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
-bool opencl_build(OpenclSession *session, const char *name, TreeOptions tree, RenderReport *report, Error *error);
+bool opencl_build(OpenclSession *session, const char *name, Variant variant, RenderReport *report, Error *error);
 
 /* Keeps the program for later runs if it was compiled in this one; to be called when the kernel has run once. */
 void opencl_keep(OpenclSession *session);

@@ -59,7 +59,7 @@ static void put_column(Reals *reals, size_t index, Vec3 v)
 
 /* The plane as the fast filter of rays from one point uses it: what rounding takes from N and D is in that filter's bound, how
  * far the vertices are from the plane is in FACE_WARP. */
-static void put_filter_plane(Reals *edges, size_t row, const Face *face, const Plane *plane)
+static void put_filter_plane(Reals *edges, size_t row, const Face *face, const Plane *plane, int back)
 {
     Vec3 corner = face_vertex(face, 0);
     double warp = 0x1p-50 * sum_of_magnitudes(corner); /* the rounding of N and D in double */
@@ -70,7 +70,7 @@ static void put_filter_plane(Reals *edges, size_t row, const Face *face, const P
     put_vec3(edges, row + FACE_NORMAL, plane->normal);
     put(edges, row + FACE_OFFSET, -vec3_dot(plane->normal, corner));
     put(edges, row + FACE_WARP, warp * (1 + 4 * (double)FLT_EPSILON));
-    put(edges, row + FACE_FRONT_ONLY, face->front_only);
+    put(edges, row + FACE_BACK_IS, back);
 }
 
 /* The bounds cover the stored values' own errors: one rounding to real, which is relative to the value, and those of the
@@ -115,7 +115,7 @@ static bool is_flat(const Face *face)
 }
 
 /* Puts face `index` of the scene at place i. */
-static void pack_face(DeviceScene *packed, const Scene *scene, int index, int i)
+static void pack_face(DeviceScene *packed, const Scene *scene, const unsigned char *closed, int index, int i)
 {
     const Face *face = &scene->faces[index];
     FaceRecord *record = &packed->faces[i];
@@ -131,7 +131,8 @@ static void pack_face(DeviceScene *packed, const Scene *scene, int index, int i)
         record->box[2 * axis + 1] = box.high[axis];
     }
     put_edges(&packed->edges, (size_t)i * FACE_REALS, face);
-    put_filter_plane(&packed->edges, (size_t)i * FACE_REALS, face, &scene->planes[index]);
+    int back = face->front_only ? BACK_OPEN : closed && closed[index] ? BACK_INSIDE : BACK_LIKE_FRONT;
+    put_filter_plane(&packed->edges, (size_t)i * FACE_REALS, face, &scene->planes[index], back);
     put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
 }
 
@@ -181,8 +182,8 @@ static void pack_view(Reals *reals, const Scene *scene)
     put(reals, VIEW_LARGEST, largest_direction(&view) * (1 + 4 * (double)FLT_EPSILON));
 }
 
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Precision wide,
-                       Error *error)
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order,
+                       Precision precision, Precision wide, Error *error)
 {
     *packed = (DeviceScene){0};
     size_t faces = (size_t)scene->face_count;
@@ -197,7 +198,7 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order
         return false;
 
     for (int i = 0; i < scene->face_count; i++)
-        pack_face(packed, scene, order ? order[i] : i, i);
+        pack_face(packed, scene, closed, order ? order[i] : i, i);
     for (int i = 0; i < scene->light_count; i++)
         pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
     for (int i = 0; i < scene->material_count; i++)

@@ -21,10 +21,11 @@ typedef struct DeviceScene {
     Reals edges, planes, materials, lights, view;
 } DeviceScene;
 
-/* Packs the scene, its faces in the given order (NULL: as they are), planes in the precision `wide`, the other rows in
+/* Packs the scene, its faces in the given order (NULL: as they are), those marked in `closed` (by their place in the scene; NULL:
+ * none) as faces of closed boxes, planes in the precision `wide`, the other rows in
  * `precision`. device_scene_free frees the copy, also after a failure. */
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, const int *order, Precision precision, Precision wide,
-                       Error *error);
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order,
+                       Precision precision, Precision wide, Error *error);
 void device_scene_free(DeviceScene *packed);
 
 size_t reals_bytes(const Reals *reals);

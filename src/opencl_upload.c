@@ -5,6 +5,9 @@
 #include "clock.h"
 #include "opencl_scene.h"
 #include "opencl_tree.h"
+#include "skip.h"
+
+#include <stdlib.h>
 
 enum { COUNTERS = COUNTER_STRIPES * COUNTER_STRIDE };
 
@@ -33,14 +36,28 @@ static cl_mem buffer_of_reals(OpenclSession *session, const Reals *reals, Error 
     return buffer_of(session, reals->data, 1, reals_bytes(reals), error);
 }
 
-static bool upload(OpenclSession *session, const Scene *scene, const Accel *accel, const DeviceTree *tree,
-                   SceneOnDevice *on_device, RenderReport *report, Error *error)
+/* One per face: whether it is of a closed box. NULL without memory. */
+static unsigned char *closed_boxes(const Scene *scene, const RenderSettings *settings, Error *error)
+{
+    unsigned char *closed = calloc((size_t)scene->face_count + 1, 1);
+    if (!closed)
+        error_memory(error, "the boxes of the scene");
+    else if (skip_wanted(settings, SKIP_BACK_FACE))
+        skip_closed_boxes(scene, closed);
+    return closed;
+}
+
+static bool upload(OpenclSession *session, const Scene *scene, const RenderSettings *settings, const Accel *accel,
+                   const DeviceTree *tree, SceneOnDevice *on_device, RenderReport *report, Error *error)
 {
     double start = clock_ms();
+    unsigned char *closed = closed_boxes(scene, settings, error);
+    if (!closed)
+        return false;
     DeviceScene packed;
     Precision wide = session->wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT;
     size_t faces = (size_t)scene->face_count;
-    bool ok = device_scene_pack(&packed, scene, accel->bvh.order, session->precision, wide, error) &&
+    bool ok = device_scene_pack(&packed, scene, closed, accel->bvh.order, session->precision, wide, error) &&
               (on_device->parameters = buffer_of(session, NULL, 0, sizeof(Parameters), error)) &&
               (on_device->faces = buffer_of(session, packed.faces, faces, sizeof(FaceRecord), error)) &&
               (on_device->edges = buffer_of_reals(session, &packed.edges, error)) &&
@@ -52,6 +69,7 @@ static bool upload(OpenclSession *session, const Scene *scene, const Accel *acce
               (on_device->tree_floats = buffer_of(session, tree->floats, tree->float_count, sizeof(float), error)) &&
               (on_device->tree_ints = buffer_of(session, tree->ints, tree->int_count, sizeof(int), error));
     device_scene_free(&packed);
+    free(closed);
     report->upload_ms += clock_ms() - start;
     return ok;
 }
@@ -61,21 +79,24 @@ static bool build_tree(const OpenclSession *session, const Scene *scene, const R
 {
     double start = clock_ms();
     int width = session->lanes > 4 ? session->lanes : 4;
-    bool ok = accel_build(accel, scene, settings->accel, settings->threads, error) &&
+    bool no_tree = settings->accel == ACCEL_AUTO && skip_wanted(settings, SKIP_TREE);
+    AccelKind kind = settings->accel == ACCEL_AUTO && !no_tree ? ACCEL_BVH : settings->accel;
+    bool ok = accel_build(accel, scene, kind, settings->threads, error) &&
               device_tree_pack(tree, accel, width, error);
+    report->skipped[SKIP_TREE] = ok && no_tree && accel->kind == ACCEL_NONE;
     report->build_ms = clock_ms() - start;
     return ok;
 }
 
-bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene, const RenderSettings *settings,
-                    SceneOnDevice *on_device, RenderReport *report, Error *error)
+bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene, bool mirrors,
+                    const RenderSettings *settings, SceneOnDevice *on_device, RenderReport *report, Error *error)
 {
     Accel accel = {.kind = ACCEL_NONE};
     DeviceTree tree = {0};
     bool ok = opencl_open(session, settings, report, error) &&
               build_tree(session, scene, settings, &accel, &tree, report, error) &&
-              opencl_build(session, name, (TreeOptions){accel.kind, tree.node_width, tree.stack_size}, report, error) &&
-              upload(session, scene, &accel, &tree, on_device, report, error);
+              opencl_build(session, name, (Variant){accel.kind, tree.node_width, tree.stack_size, mirrors, settings->no_skip}, report, error) &&
+              upload(session, scene, settings, &accel, &tree, on_device, report, error);
     accel_free(&accel);
     device_tree_free(&tree);
     return ok;
@@ -113,7 +134,8 @@ static bool add_counters(OpenclSession *session, const SceneOnDevice *on_device,
     report->rays.primary += sums[COUNT_PRIMARY];
     report->rays.shadow += sums[COUNT_SHADOW];
     report->rays.reflection += sums[COUNT_REFLECTION];
-    report->skipped_light_behind += sums[COUNT_LIGHT_BEHIND];
+    for (int skip = 0; skip < SKIPS_COUNTED; skip++)
+        report->skipped[skip] += sums[COUNT_SKIPPED + skip];
     report->face_tests += sums[COUNT_FACE_TESTS];
     report->box_tests += sums[COUNT_BOX_TESTS];
     return true;

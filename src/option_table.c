@@ -3,6 +3,7 @@
 #include "option_table.h"
 
 #include "scene.h"
+#include "skip.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -86,6 +87,34 @@ static bool set_accel(Options *o, const char *value)
     int index = word_index(value, words);
     o->settings.accel = (AccelKind)index;
     return index >= 0;
+}
+
+/* The number of the skip that the first `length` characters name; SKIPS where they name none. */
+static int skip_number(const char *name, size_t length)
+{
+    int skip = 0;
+    while (skip < SKIPS && (strncmp(skip_texts[skip].name, name, length) != 0 || skip_texts[skip].name[length] != '\0'))
+        skip++;
+    return skip;
+}
+
+/* "NAME", "NAME,NAME" or "all". */
+static bool set_no_skip(Options *o, const char *value)
+{
+    if (strcmp(value, "all") == 0) {
+        o->settings.no_skip = (1u << SKIPS) - 1;
+        return true;
+    }
+    for (const char *name = value;; name++) {
+        size_t length = strcspn(name, ",");
+        int skip = skip_number(name, length);
+        if (skip == SKIPS)
+            return false;
+        o->settings.no_skip |= 1u << skip;
+        name += length;
+        if (*name == '\0')
+            return true;
+    }
 }
 
 static bool set_progress(Options *o, const char *value)
@@ -311,6 +340,8 @@ const Option option_table[] = {
     {"accel", 'a', "NAME", "render trace cast bench", set_accel, "auto, none, kdtree or bvh",
      "auto (default), none, kdtree or bvh: how to find faces"},
     {"lanes", 0, "N", "render cast bench", set_lanes, "1, 4, 8 or 16", "rays that an OpenCL work-item traces: 1, 4, 8 or 16"},
+    {"no-skip", 0, "NAMES", "render", set_no_skip, "all, or names of \"skipped\" in --stats=json with commas between them, such as tree,mirrors",
+     "do work that the scene needs not: all, or names such as tree,mirrors"},
     {"threads", 't', "N", "render bench", set_threads, "a whole number from 1 to 256", "processors to use (default: all)"},
     {"stats", 0, "[=FORMAT]", "render cast", set_stats, "text or json",
      "tell what was done and how long it took: text or json"},

@@ -141,7 +141,7 @@ static LightVerdict look_at_light(const Tracer *tracer, const Hit *hit, int inde
     bool behind = side <= 0;
     int blocker = -1;
     if (behind)
-        tracer->report->skipped_light_behind++;
+        tracer->report->skipped[SKIP_LIGHT_BEHIND]++;
     if (tracer->recorder)
         tell_light(tracer, hit, index, side);
     if (!behind)

@@ -40,7 +40,7 @@ static void add_counts(Band *band, const RenderReport *counts)
     band->report->box_tests += counts->box_tests;
     band->report->face_tests += counts->face_tests;
     band->report->refined_pixels += counts->refined_pixels;
-    band->report->skipped_light_behind += counts->skipped_light_behind;
+    band->report->skipped[SKIP_LIGHT_BEHIND] += counts->skipped[SKIP_LIGHT_BEHIND];
     pthread_mutex_unlock(&band->lock);
 }
 

@@ -6,6 +6,8 @@
 
 #include "error.h"
 
+#include "../kernels/skips.h"
+
 #include <stdint.h>
 
 typedef enum Backend { BACKEND_OPENCL, BACKEND_REFERENCE } Backend;
@@ -33,6 +35,7 @@ typedef struct RenderSettings {
     int threads;         /* 0: one per processor */
     int device;          /* number in the list of `rectray devices`; -1: the default */
     int lanes;           /* rays per work-item: 1, 4, 8 or 16; 0: what suits the device */
+    unsigned no_skip;    /* bit SKIP_...: that work is done although the scene does not need it */
     Notice notice;
     double *linear;      /* rows * columns * 3 colours, which a backend fills before they are clamped; NULL: not wanted */
 } RenderSettings;
@@ -52,11 +55,11 @@ typedef struct RenderReport {
     RayCounts rays;
     uint64_t box_tests, face_tests;
     uint64_t refined_pixels; /* by adaptive sampling: those that got the whole grid */
-    uint64_t skipped_light_behind; /* shadow rays not cast since N.L <= 0 */
+    uint64_t skipped[SKIPS]; /* what was left out, by kind: skips.h says in what it is counted */
     int lanes, threads;
     AccelKind accel;         /* the one used */
     char device[128];
-    char build_options[256];
+    char build_options[320];
 } RenderReport;
 
 /* Receives finished rows: rgb holds rows * columns * 3 bytes. Bands come from the top, without gaps. `so_far` tells what

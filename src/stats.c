@@ -2,6 +2,8 @@
  * docs/commands.md; what has no list of its own goes into both functions. */
 #include "stats.h"
 
+#include "skip.h"
+
 #include <cjson/cJSON.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -17,7 +19,7 @@ typedef struct Count {
     uint64_t count;
 } Count;
 
-enum { PHASES = 9, COUNTS = 7 };
+enum { PHASES = 9, COUNTS = 6 + SKIPS };
 
 typedef struct Lists {
     Phase phases[PHASES];
@@ -27,7 +29,7 @@ typedef struct Lists {
 static Lists lists_of(const Stats *stats)
 {
     const RenderReport *report = &stats->report;
-    return (Lists){
+    Lists lists = {
         .phases = {{"parse", stats->parse_ms},
                    {"build", report->build_ms},
                    {"device", report->device_ms},
@@ -40,11 +42,14 @@ static Lists lists_of(const Stats *stats)
         .counts = {{"rays", "primary", "primary rays", report->rays.primary},
                    {"rays", "shadow", "shadow rays", report->rays.shadow},
                    {"rays", "reflection", "reflected rays", report->rays.reflection},
-                   {"skipped", "light_behind_face", "skipped: light behind", report->skipped_light_behind},
                    {"pixels", "refined", "refined pixels", report->refined_pixels},
                    {"tests", "box", "box tests", report->box_tests},
                    {"tests", "face", "face tests", report->face_tests}},
     };
+    for (int skip = 0; skip < SKIPS; skip++)
+        lists.counts[COUNTS - SKIPS + skip] =
+            (Count){"skipped", skip_texts[skip].name, skip_texts[skip].words, report->skipped[skip]};
+    return lists;
 }
 
 static const char *backend_name(Backend backend)

@@ -86,7 +86,7 @@ static void count_faces(Survey *survey, const Scene *scene)
     }
 }
 
-bool survey_scene(Survey *survey, const Scene *scene, Error *error)
+bool survey_materials(Survey *survey, const Scene *scene, Error *error)
 {
     *survey = (Survey){0};
     survey->material_used = calloc((size_t)scene->material_count + 1, sizeof *survey->material_used);
@@ -98,10 +98,23 @@ bool survey_scene(Survey *survey, const Scene *scene, Error *error)
     bool goes_on = scene->shading.shadow == SHADOW_AMBIENT || scene->light_count > 0;
     survey->shadow_rays = scene->face_count > 0 && scene->light_count > 0;
     survey->reflections = survey->mirrors > 0 && scene->shading.max_bounces > 0 && goes_on;
+    return true;
+}
+
+bool survey_scene(Survey *survey, const Scene *scene, Error *error)
+{
+    if (!survey_materials(survey, scene, error))
+        return false;
     for (int i = 0; i < scene->face_count; i++)
         if (count_unseen(survey, scene, i) && !survey->reflections && !can_block(scene, i))
             survey->idle++;
     return true;
+}
+
+bool survey_face_is_idle(const Scene *scene, int index)
+{
+    Survey uncounted = {0};
+    return count_unseen(&uncounted, scene, index) && !can_block(scene, index);
 }
 
 void survey_free(Survey *survey)

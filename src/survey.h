@@ -26,6 +26,12 @@ typedef struct Survey {
 /* Surveys a scene; false without memory. survey_free may be called in any case. */
 bool survey_scene(Survey *survey, const Scene *scene, Error *error);
 
+/* The same but for what takes a look at each face's place: the faces that no ray can hit are not counted. */
+bool survey_materials(Survey *survey, const Scene *scene, Error *error);
+
+/* In a scene without reflections: can no ray hit the face? */
+bool survey_face_is_idle(const Scene *scene, int index);
+
 void survey_free(Survey *survey);
 
 #endif

@@ -135,7 +135,7 @@ class Kernels(CommandTest):
     def test_they_are_read_from_the_folder_that_is_named(self):
         with_folder = dict(os.environ, RECTRAY_KERNELS=self.path("nowhere"))
         _, err = self.run_program("render", "scene.json", status=3, env=with_folder)
-        self.assertIn("nowhere/layout.h: cannot be opened", err)
+        self.assertIn("nowhere/skips.h: cannot be opened", err)
 
     def test_no_folder_is_named_by_an_empty_name(self):
         self.run_program("render", "scene.json", env=dict(os.environ, RECTRAY_KERNELS=""))

@@ -199,7 +199,7 @@ static void light_behind_the_face_should_leave_it_black_without_a_ray(void)
     small_scene_light(&small, vec3(0, 0, -2));
     ASSERT_VEC3_WITHIN(0, 0, 0, 0, pixel());
     TEST_ASSERT_EQUAL_UINT64(0, report.rays.shadow);
-    TEST_ASSERT_EQUAL_UINT64(1, report.skipped_light_behind);
+    TEST_ASSERT_EQUAL_UINT64(1, report.skipped[SKIP_LIGHT_BEHIND]);
     TEST_ASSERT_EQUAL_INT(LIGHT_BEHIND_FACE, event_of(EVENT_LIGHT_END, 0)->as.light_end.verdict);
 }
 
@@ -211,7 +211,7 @@ static void light_in_the_plane_should_leave_the_face_black_without_a_ray(void)
     small_scene_light(&small, vec3(0, 0, 0)); /* at the very point */
     ASSERT_VEC3_WITHIN(0, 0, 0, 0, pixel());
     TEST_ASSERT_EQUAL_UINT64(0, report.rays.shadow);
-    TEST_ASSERT_EQUAL_UINT64(3, report.skipped_light_behind);
+    TEST_ASSERT_EQUAL_UINT64(3, report.skipped[SKIP_LIGHT_BEHIND]);
 }
 
 static void light_just_above_the_plane_should_reach_the_face(void)

@@ -15,7 +15,7 @@ void tearDown(void) {}
 static const Stats STATS = {
     .report = {.build_ms = 1, .upload_ms = 2, .device_ms = 3, .compile_ms = 4, .trace_ms = 0.1, .readback_ms = 6,
                .rays = {18446744073709551615u, 9007199254740993u, 3},
-               .box_tests = 4, .face_tests = 5, .skipped_light_behind = 6, .lanes = 16, .accel = ACCEL_BVH,
+               .box_tests = 4, .face_tests = 5, .skipped = {[SKIP_LIGHT_BEHIND] = 6}, .lanes = 16, .accel = ACCEL_BVH,
                .device = "a \"device\"", .build_options = "-D A"},
     .parse_ms = 7, .encode_ms = 8, .total_ms = 1.0 / 3, .faces = 9, .lights = 10,
     .backend = BACKEND_OPENCL, .precision = PRECISION_FLOAT,
@@ -61,7 +61,7 @@ static void stats_json_should_hold_every_key(void)
     assert_number(cJSON_GetObjectItem(json, "rays"), "reflection", 3);
     assert_number(cJSON_GetObjectItem(json, "tests"), "box", 4);
     assert_number(cJSON_GetObjectItem(json, "tests"), "face", 5);
-    assert_number(cJSON_GetObjectItem(json, "skipped"), "light_behind_face", 6);
+    assert_number(cJSON_GetObjectItem(json, "skipped"), "light_behind", 6);
     assert_number(json, "faces", 9);
     assert_number(json, "lights", 10);
     assert_number(json, "lanes", 16);

@@ -103,7 +103,7 @@ static bool same_counts(const RenderReport *expected, const RenderReport *found)
         {"primary", expected->rays.primary, found->rays.primary},
         {"shadow", expected->rays.shadow, found->rays.shadow},
         {"reflection", expected->rays.reflection, found->rays.reflection},
-        {"light-behind", expected->skipped_light_behind, found->skipped_light_behind},
+        {"light-behind", expected->skipped[SKIP_LIGHT_BEHIND], found->skipped[SKIP_LIGHT_BEHIND]},
         {"refined", expected->refined_pixels, found->refined_pixels},
     };
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)

@@ -26,7 +26,7 @@ void probe_open(Probe *probe, Precision precision)
     RenderSettings settings = {.precision = precision, .device = -1};
     RenderReport report = {0};
     Error error = {0};
-    TreeOptions no_tree = {ACCEL_NONE, 1, 1};
+    Variant no_tree = {ACCEL_NONE, 1, 1, true, 0};
     bool ok = opencl_open(&probe->session, &settings, &report, &error) &&
               opencl_build(&probe->session, "probe", no_tree, &report, &error);
     probe_sources_remove(kept);
@@ -65,7 +65,7 @@ void probe_load(Probe *probe, const Scene *scene)
     DeviceScene packed;
     Error error = {0};
     Precision wide = probe->session.wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT;
-    stop_unless(device_scene_pack(&packed, scene, NULL, probe->session.precision, wide, &error), &error);
+    stop_unless(device_scene_pack(&packed, scene, NULL, NULL, probe->session.precision, wide, &error), &error);
     size_t faces = (size_t)(scene->face_count > 0 ? scene->face_count : 1);
     probe->parameters = new_buffer(probe, sizeof(Parameters), NULL);
     probe->faces = new_buffer(probe, faces * sizeof(FaceRecord), packed.faces);

@@ -1,0 +1,21 @@
+/* Work that may be left out, in the order of the table in skip.c: one header, compiled by the host and the kernels. */
+#ifndef RECTRAY_SKIPS_H
+#define RECTRAY_SKIPS_H
+
+/* The kernels leave out, and count, the first SKIPS_COUNTED. */
+enum {
+    SKIP_LIGHT_BEHIND,  /* shadow rays: the light is behind the face or in its plane, N.L <= 0 */
+    SKIP_LIGHT_AMBIENT, /* shadow rays: the light has an ambient colour only, which counts in its shadow too */
+    SKIP_HIGHLIGHT,     /* specular terms: the material or the light has no specular colour */
+    SKIP_WEAK_BOUNCE,   /* reflected rays: all that they could add would not change a byte */
+    SKIP_EMPTY_TILE,    /* primary rays: all of the tile miss all faces */
+    SKIP_BACK_FACE,     /* face tests: the back of a closed box */
+    SKIPS_COUNTED,
+    SKIP_LIGHT_BLACK = SKIPS_COUNTED, /* lights without a colour */
+    SKIP_IDLE_FACE,     /* faces that no ray can hit */
+    SKIP_MIRRORS,       /* the code of reflections, where nothing reflects: 1 */
+    SKIP_TREE,          /* the tree, where there are few faces: 1 */
+    SKIPS
+};
+
+#endif
