@@ -1,5 +1,5 @@
-/* Adaptive sampling: which pixels need more than the ray through their centre (src/adaptive.c says why), and the two kernels
- * that render with it: `render_centres` and `refine`. Built only where adaptive sampling is asked for. */
+/* Adaptive sampling: which pixels need more than the ray through their centre; src/adaptive.c says why. Built only where
+ * adaptive sampling is asked for. */
 
 #if ADAPTIVE
 
@@ -111,7 +111,7 @@ static void judge_hit(Judge *j, int from, Mask *group)
         q.active[k] = asks_beyond && !is_beyond ? (Mask)0 : group[k];
         q.crossed[k] = q.filled[k] = (Mask)0;
         if (q.to >= 0)
-            q.active[k] &= beam_cover(q.beam->lanes + k, &face).filled;
+            q.active[k] &= beam_cover(j->g, q.beam, k, &face, (Mask)0).filled;
         if (is_beyond)
             q.active[k] &= is_negative(q.beam->lanes + k, &beyond);
     }
@@ -279,131 +279,6 @@ static void judge_pixels(const Geometry *g, const Shading *s, const Trail *trail
             EACH_PACKET(k)
                 active[k] |= group[k];
         }
-}
-
-/* --- The kernel --- */
-
-/* The directions R = Q - C to sub-pixels (i, j) of the pixels at (column, row), lane by lane: see view_direction in geometry.c. */
-static WideVec direction_to(const Shading *s, Wide column, Wide row, Wide i, Wide j)
-{
-    constant const Parameters *p = s->parameters;
-    Wide sub_column = (i + (wide)0.5) / (wide)p->grid, sub_row = (j + (wide)0.5) / (wide)p->grid;
-    Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
-    Wide y = ((wide)0.5 - (row + sub_row) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
-    return wide_add(wide_add(view_vec(s, VIEW_FORWARD), wide_scale(x, view_vec(s, VIEW_RIGHT))),
-                    wide_scale(y, view_vec(s, VIEW_UP)));
-}
-
-/* The bundle of the active rays, which start at the apex. */
-static Bundle bundle_of_rays(const Apex *a, const Path *paths, const Ray *rays)
-{
-    Pencil pencils[PACKETS];
-    EACH_PACKET(k) {
-        pencils[k].active = paths[k].active;
-        pencils[k].ahead = vec_to_real(rays[k].direction);
-    }
-    return bundle_from(a, pencils, PACKETS);
-}
-
-/* As `render` does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
-static void render_centres(const Geometry *g, const Shading *s, global uchar *rgb, global uchar *flags, Counters *counters)
-{
-    Parameters p = *s->parameters;
-    int tiles_across = (p.columns + TILE_COLUMNS - 1) / TILE_COLUMNS;
-    int tile = (int)get_global_id(0);
-    int first_column = tile % tiles_across * TILE_COLUMNS, first_row = tile / tiles_across * TILE_ROWS;
-    if (first_row >= p.band_rows)
-        return;
-
-    Apex apex = apex_at_eye(s);
-    Path paths[PACKETS];
-    Ray rays[PACKETS];
-    Trail trails[PACKETS];
-    Tile pixels;
-    Mask even[PACKETS];
-    EACH_PACKET(k) {
-        Mask number = lane_numbers();
-        pixels.columns[k] = MASK_TO_WIDE(first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
-        pixels.rows[k] = MASK_TO_WIDE(p.first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
-        rays[k].origin = view_vec(s, VIEW_EYE);
-        rays[k].direction = pixels.directions[k] = direction_to(s, pixels.columns[k], pixels.rows[k], (Wide)0, (Wide)0);
-        paths[k].active = even[k] = pixels_inside(&p, first_column, first_row, k);
-        trails[k].count = 0;
-        counters->kinds[COUNT_PRIMARY] += mask_count(even[k]);
-    }
-    Bundle seen = bundle_of_rays(&apex, paths, rays);
-    trace_paths(g, s, &apex, &seen, paths, rays, trails, counters);
-    judge_pixels(g, s, trails, &pixels, even, counters);
-    EACH_PACKET(k) {
-        int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
-        store_packet(rgb, &p, column, row, paths[k].total);
-        MaskElement even_lanes[LANES];
-        STORE(even[k], even_lanes);
-        for (int i = 0; i < LANES; i++) {
-            int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
-            if (c < p.columns && r < p.band_rows)
-                flags[(size_t)r * (size_t)p.columns + (size_t)c] = even_lanes[i] ? 0 : 1;
-        }
-    }
-}
-
-/* Gives a pixel the whole grid: the lanes are its samples. list: the places of the pixels in the band. */
-static void refine(const Geometry *g, const Shading *s, global uchar *rgb, global const int *list, Counters *counters)
-{
-    constant const Parameters *p = s->parameters;
-    int item = (int)get_global_id(0);
-    if (item >= p->refine_count)
-        return;
-    int pixel = list[p->refine_first + item], samples = p->grid * p->grid;
-    Wide column = (Wide)(wide)(pixel % p->columns), row = (Wide)(wide)(pixel / p->columns + p->first_row);
-    Apex apex = apex_at_eye(s);
-    real red = 0, green = 0, blue = 0;
-    for (int first = 0; first < samples; first += PACKETS * LANES) {
-        Path paths[PACKETS];
-        Ray rays[PACKETS];
-        EACH_PACKET(k) {
-            Mask number = lane_numbers() + (first + k * LANES);
-            Wide i = MASK_TO_WIDE(number % (Mask)p->grid), j = MASK_TO_WIDE(number / (Mask)p->grid);
-            rays[k].origin = view_vec(s, VIEW_EYE);
-            rays[k].direction = direction_to(s, column, row, i, j);
-            paths[k].active = IS(number < (Mask)samples);
-        }
-        int count = min(samples - first, PACKETS * LANES);
-        counters->kinds[COUNT_PRIMARY] += (uint)count;
-        Bundle seen = bundle_of_rays(&apex, paths, rays);
-        trace_paths(g, s, &apex, &seen, paths, rays, 0, counters);
-        for (int k = 0; k * LANES < count; k++) {
-            real r[LANES], gr[LANES], b[LANES];
-            STORE(paths[k].total.x, r);
-            STORE(paths[k].total.y, gr);
-            STORE(paths[k].total.z, b);
-            for (int i = 0; i < min(count - k * LANES, LANES); i++) { /* in the order of `render` */
-                red += r[i];
-                green += gr[i];
-                blue += b[i];
-            }
-        }
-    }
-    store_pixel(rgb, pixel, red / samples, green / samples, blue / samples);
-}
-
-/* A work-item for each tile of the band; where refine_count says that there are pixels to refine, one for each of them. Both
- * in one kernel, for tracing a path is the most of it, and takes the longest to compile. */
-kernel void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
-                            global const wide *planes, global const real *materials, global const real *lights,
-                            global const real *view, global uchar *rgb, volatile global uint *totals,
-                            global const float *tree_floats, global const int *tree_ints, global uchar *flags,
-                            global const int *list)
-{
-    Geometry g = {faces, edges, planes, parameters->face_count};
-    Tree tree = {tree_floats, tree_ints};
-    Shading s = {materials, lights, view, parameters, &tree};
-    Counters counters = {{0}};
-    if (parameters->refine_count > 0)
-        refine(&g, &s, rgb, list, &counters);
-    else
-        render_centres(&g, &s, rgb, flags, &counters);
-    add_counters(totals, &counters);
 }
 
 #endif

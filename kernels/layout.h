@@ -23,6 +23,9 @@ typedef struct FaceRecord {
 /* A path has at most so many hits. */
 enum { PATH_MAX = 65 };
 
+/* Adaptive sampling: a work-item refines so many pixels for each of its packets. */
+enum { REFINED_PER_PACKET = 4 };
+
 /* What stays the same over a launch, but for the band. */
 typedef struct Parameters {
     int columns, rows;

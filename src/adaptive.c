@@ -22,6 +22,29 @@ static const Material *material_of(const Scene *scene, int face)
     return &scene->materials[scene->faces[face].material];
 }
 
+/* --- The samples of a refined pixel --- */
+
+int adaptive_parts(int grid) { return grid >= 6 && grid % 2 == 0 ? 4 : 1; }
+
+/* In block (a, b) the first quarter has the sample (b & 1, a & 1), so that neighbours lie a step apart and all rows and columns
+ * of the grid have about as many; but of the four corners it has all: where an edge cuts off any sample, it cuts off a corner.
+ * The second quarter has the opposite samples. */
+GridPlace adaptive_sample(int grid, int part, int k)
+{
+    if (adaptive_parts(grid) == 1)
+        return (GridPlace){k % grid, k / grid};
+    static const GridPlace turns[] = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+    int last = grid / 2 - 1, a = k % (last + 1), b = k / (last + 1);
+    bool corner = (a == 0 || a == last) && (b == 0 || b == last);
+    int i = corner ? a == last : b & 1, j = corner ? b == last : a & 1;
+    return (GridPlace){2 * a + (i ^ turns[part].i), 2 * b + (j ^ turns[part].j)};
+}
+
+bool adaptive_is_enough(int parts, double spread)
+{
+    return (parts == 1 && spread < ADAPTIVE_QUARTER_SPREAD) || (parts == 2 && spread < ADAPTIVE_HALF_SPREAD);
+}
+
 /* --- How much light there can be --- */
 
 double adaptive_brightest(const Scene *scene)

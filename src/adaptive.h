@@ -10,6 +10,11 @@
 /* What adds less than this to a pixel is left out: an eighth of an output step. */
 #define ADAPTIVE_TOLERANCE 0x1p-11
 
+/* Where the samples of a quarter of the grid differ by less than this, they are enough; and those of two quarters. An edge that
+ * small leaves a smaller error with fewer samples than a large one with all. */
+#define ADAPTIVE_QUARTER_SPREAD (1.0 / 16)
+#define ADAPTIVE_HALF_SPREAD (1.0 / 8)
+
 /* The faces that a ray met, in order; a -1 at the end says that it left the scene. */
 typedef struct Path {
     int count;
@@ -31,6 +36,19 @@ typedef struct AdaptiveVerdict {
     int face;  /* ADAPTIVE_EDGE: the face that is hit; ADAPTIVE_FACE, _SHADOW: the other one */
     int light; /* ADAPTIVE_SHADOW, _HIGHLIGHT */
 } AdaptiveVerdict;
+
+/* A refined pixel's n x n samples are traced in parts. Where n is even and at least 6 they are quarters, one sample of each
+ * block of 2 x 2; for any other n all samples are one part. */
+int adaptive_parts(int grid);
+
+/* Sample k of a part; with one part they come row by row. */
+typedef struct GridPlace {
+    int i, j;
+} GridPlace;
+GridPlace adaptive_sample(int grid, int part, int k);
+
+/* After that many parts, the samples of which differ by at most `spread` in a channel, may the others be left out? */
+bool adaptive_is_enough(int parts, double spread);
 
 /* The most that a hit, with all that its mirror shows, can add to a pixel of the scene. */
 double adaptive_brightest(const Scene *scene);

@@ -1,4 +1,4 @@
-/* Adaptive sampling on a device. The list of pixels is made here, in their order, so that a picture is the same each time. */
+/* Adaptive sampling on a device. The list of pixels is made here, in a fixed order, so that a picture is the same each time. */
 #include "opencl_refine.h"
 
 #include "clock.h"
@@ -21,6 +21,22 @@ void opencl_refinement_free(Refinement *refinement)
     *refinement = (Refinement){0};
 }
 
+/* Lists the flagged pixels square by square, so that a work-item's lie near each other and their rays meet the same faces. */
+static long list_pixels(const Refinement *refinement, const Parameters *band)
+{
+    enum { SQUARE = 8 };
+    long count = 0;
+    for (int top = 0; top < band->band_rows; top += SQUARE)
+        for (int left = 0; left < band->columns; left += SQUARE)
+            for (int row = top; row < top + SQUARE && row < band->band_rows; row++)
+                for (int column = left; column < left + SQUARE && column < band->columns; column++) {
+                    int pixel = row * band->columns + column;
+                    if (refinement->read_flags[pixel])
+                        refinement->pixels[count++] = pixel;
+                }
+    return count;
+}
+
 /* Puts the flagged pixels of the band on the device's list; returns their number, -1 after a failure. */
 static long write_list(OpenclSession *session, const Refinement *refinement, Parameters band, RenderReport *report,
                        Error *error)
@@ -29,10 +45,7 @@ static long write_list(OpenclSession *session, const Refinement *refinement, Par
     if (!opencl_read(session, refinement->flags, pixels, refinement->read_flags, report, error))
         return -1;
     double start = clock_ms();
-    long count = 0;
-    for (size_t i = 0; i < pixels; i++)
-        if (refinement->read_flags[i])
-            refinement->pixels[count++] = (cl_int)i;
+    long count = list_pixels(refinement, &band);
     cl_int status = CL_SUCCESS;
     if (count > 0)
         status = clEnqueueWriteBuffer(session->queue, refinement->list, CL_TRUE, 0, (size_t)count * sizeof(cl_int),
@@ -45,10 +58,12 @@ bool opencl_refine(OpenclSession *session, const SceneOnDevice *on_device, cl_ke
                    const Refinement *refinement, Parameters band, RenderReport *report, Error *error)
 {
     long count = write_list(session, refinement, band, report, error);
-    for (long first = 0; first < count; first += OPENCL_MAX_ITEMS) {
+    const int each = REFINED_PER_PACKET * session->packets_across * session->packets_across; /* pixels of a work-item */
+    const long most = (long)OPENCL_MAX_ITEMS * each;
+    for (long first = 0; first < count; first += most) {
         band.refine_first = (int)first;
-        band.refine_count = (int)(count - first < OPENCL_MAX_ITEMS ? count - first : OPENCL_MAX_ITEMS);
-        if (!opencl_launch(session, on_device, kernel, &band, (size_t)band.refine_count, report, error))
+        band.refine_count = (int)(count - first < most ? count - first : most);
+        if (!opencl_launch(session, on_device, kernel, &band, (size_t)((band.refine_count + each - 1) / each), report, error))
             return false;
     }
     report->refined_pixels += count > 0 ? (uint64_t)count : 0;

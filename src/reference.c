@@ -2,6 +2,7 @@
  * The step numbers in the comments are that document's. What happens is told to the recorder, where there is one. */
 #include "reference.h"
 
+#include <math.h>
 #include <stddef.h>
 
 typedef struct Hit {
@@ -270,6 +271,15 @@ Vec3 reference_sample(const Tracer *tracer, int column, int row, int i, int j)
 
 static Vec3 clamped(Vec3 c) { return vec3(fmin(fmax(c.x, 0), 1), fmin(fmax(c.y, 0), 1), fmin(fmax(c.z, 0), 1)); }
 
+static Vec3 average_of(const Tracer *tracer, Vec3 sum, int samples)
+{
+    Vec3 average = vec3(sum.x / samples, sum.y / samples, sum.z / samples);
+    TELL(tracer, EVENT_PIXEL, .as.pixel = {sum, average, clamped(average), samples,
+                                           {colour_to_byte(average.x), colour_to_byte(average.y),
+                                            colour_to_byte(average.z)}});
+    return average;
+}
+
 /* The average of a grid of samples. */
 static Vec3 trace_grid(const Tracer *tracer, int grid, int column, int row)
 {
@@ -277,15 +287,30 @@ static Vec3 trace_grid(const Tracer *tracer, int grid, int column, int row)
     for (int j = 0; j < grid; j++)
         for (int i = 0; i < grid; i++)
             sum = vec3_add(sum, trace_sample(tracer, grid, column, row, i, j));
-    double samples = (double)grid * grid;
-    Vec3 average = vec3(sum.x / samples, sum.y / samples, sum.z / samples);
-    TELL(tracer, EVENT_PIXEL, .as.pixel = {sum, average, clamped(average), grid * grid,
-                                           {colour_to_byte(average.x), colour_to_byte(average.y),
-                                            colour_to_byte(average.z)}});
-    return average;
+    return average_of(tracer, sum, grid * grid);
 }
 
-/* Adaptive sampling: the centre's colour where its path is the whole pixel's; else the grid's. */
+/* The average of as many parts of the grid as are needed. */
+static Vec3 trace_refined(const Tracer *tracer, int column, int row)
+{
+    int grid = tracer->scene->grid, parts = adaptive_parts(grid), samples = 0;
+    Vec3 sum = {0, 0, 0}, low = vec3(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = vec3_negate(low);
+    for (int part = 0; part < parts; part++) {
+        for (int k = 0; k < grid * grid / parts; k++, samples++) {
+            GridPlace place = adaptive_sample(grid, part, k);
+            Vec3 c = trace_sample(tracer, grid, column, row, place.i, place.j);
+            sum = vec3_add(sum, c);
+            low = vec3(fmin(low.x, c.x), fmin(low.y, c.y), fmin(low.z, c.z));
+            high = vec3(fmax(high.x, c.x), fmax(high.y, c.y), fmax(high.z, c.z));
+        }
+        Vec3 spread = vec3_sub(high, low);
+        if (adaptive_is_enough(part + 1, fmax(spread.x, fmax(spread.y, spread.z))))
+            break;
+    }
+    return average_of(tracer, sum, samples);
+}
+
+/* Adaptive sampling: the centre's colour where its path is the whole pixel's; else that of samples of the grid. */
 static Vec3 trace_adaptive(const Tracer *tracer, int column, int row)
 {
     Path path;
@@ -299,7 +324,7 @@ static Vec3 trace_adaptive(const Tracer *tracer, int column, int row)
     tracer->report->refined_pixels += refine;
     if (!refine && !tracer->recorder)
         return centre;
-    return trace_grid(tracer, refine ? tracer->scene->grid : 1, column, row);
+    return refine ? trace_refined(tracer, column, row) : trace_grid(tracer, 1, column, row);
 }
 
 Vec3 reference_pixel(const Tracer *tracer, int column, int row)

@@ -54,7 +54,7 @@ typedef struct RenderReport {
     double readback_ms;
     RayCounts rays;
     uint64_t box_tests, face_tests;
-    uint64_t refined_pixels; /* by adaptive sampling: those that got the whole grid */
+    uint64_t refined_pixels; /* by adaptive sampling: those that got more than their centre */
     uint64_t skipped[SKIPS]; /* what was left out, by kind: skips.h says in what it is counted */
     int lanes, threads;
     AccelKind accel;         /* the one used */

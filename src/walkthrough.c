@@ -111,7 +111,7 @@ static void record(void *user, const Event *event)
         request->i = request->j = 0;
     }
     if (event->kind == EVENT_SAMPLE)
-        walk->telling = is_told(request, event);
+        walk->found |= walk->telling = is_told(request, event);
     bool always = event->kind == EVENT_ADAPTIVE || event->kind == EVENT_SAMPLE ||
                   event->kind == EVENT_PATH_END || event->kind == EVENT_PIXEL;
     if (!walk->telling && !always)
@@ -138,7 +138,12 @@ bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *acce
     Recorder recorder = {record, walk};
     Tracer tracer = {.scene = scene, .accel = accel, .report = &report, .recorder = &recorder};
     reference_pixel(&tracer, request.column, request.row);
-    return walk->failed ? error_memory(error, "the walkthrough") : true;
+    if (walk->failed)
+        return error_memory(error, "the walkthrough");
+    return walk->found || error_set(error, ERROR_USAGE,
+                                    "--sample %d,%d: adaptive sampling left it out, for the samples that it took of pixel %d,%d, "
+                                    "as 0,0, differ little; with --sampling uniform all are traced",
+                                    request.i, request.j, request.column, request.row);
 }
 
 void walkthrough_free(Walkthrough *walk)

@@ -30,6 +30,7 @@ typedef struct Walkthrough {
     long count, capacity;
     /* While recording: */
     bool telling; /* inside the sample that is told */
+    bool found;   /* it was traced */
     bool failed;  /* out of memory */
     bool shadow;  /* the search is a shadow ray's */
     long tally;   /* the current search's tally in the list, -1: none yet */
@@ -37,8 +38,8 @@ typedef struct Walkthrough {
     int hit_count;
 } Walkthrough;
 
-/* Traces the pixel and records it. accel may be NULL: every face is tested. Free the walkthrough also after a failure, which
- * is want of memory. */
+/* Traces the pixel and records it. accel may be NULL: every face is tested. Free the walkthrough also after a failure:
+ * want of memory, or a sample that adaptive sampling left out. */
 bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *accel, const char *scene_name,
                         WalkRequest request, Error *error);
 

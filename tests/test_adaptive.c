@@ -190,14 +190,70 @@ static void adaptive_should_leave_out_what_reaches_behind(void)
     scene_free(&scene);
 }
 
-/* A refined pixel is the uniform grid's, bit for bit; any other is its centre, which tells the average to half a step. */
+enum { FINEST = 6 };
+
+/* The average of a refined pixel, told in other words: the four quarters of the grid are the samples of each block of 2 x 2
+ * whose place in it, in the corners the outermost and else in block (a, b) at (b, a), has turned by (0, 0), (1, 1), (1, 0),
+ * (0, 1), modulo 2. */
+static Vec3 average_of_parts(const Scene *scene, int column, int row)
+{
+    Scene other = *scene;
+    other.grid = FINEST;
+    RenderReport report = {0};
+    Tracer tracer = {.scene = &other, .report = &report};
+    Vec3 sum = {0, 0, 0}, low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    int samples = 0;
+    for (const char *turn = "00111001"; *turn; turn += 2) {
+        for (int b = 0; b < FINEST / 2; b++)
+            for (int a = 0; a < FINEST / 2; a++, samples++) {
+                bool corner = a != 1 && b != 1;
+                int i = 2 * a + ((corner ? a / 2 : b) + turn[0] - '0') % 2;
+                int j = 2 * b + ((corner ? b / 2 : a) + turn[1] - '0') % 2;
+                Vec3 c = reference_sample(&tracer, column, row, i, j);
+                sum = vec3_add(sum, c);
+                low = vec3(fmin(low.x, c.x), fmin(low.y, c.y), fmin(low.z, c.z));
+                high = vec3(fmax(high.x, c.x), fmax(high.y, c.y), fmax(high.z, c.z));
+            }
+        double spread = largest(difference(high, low));
+        if ((samples == 9 && spread < 1.0 / 16) || (samples == 18 && spread < 1.0 / 8))
+            break;
+    }
+    return vec3(sum.x / samples, sum.y / samples, sum.z / samples);
+}
+
+static void adaptive_parts_should_share_out_the_grid_evenly(void)
+{
+    for (int n = 1; n <= SCENE_MAX_GRID; n++) {
+        int parts = adaptive_parts(n), of[SCENE_MAX_GRID][SCENE_MAX_GRID] = {{0}};
+        TEST_ASSERT_EQUAL_INT(n >= 6 && n % 2 == 0 ? 4 : 1, parts);
+        for (int part = 0; part < parts; part++) {
+            int rows[SCENE_MAX_GRID] = {0}, columns[SCENE_MAX_GRID] = {0};
+            for (int k = 0; k < n * n / parts; k++) {
+                GridPlace place = adaptive_sample(n, part, k);
+                TEST_ASSERT_EQUAL_INT(0, of[place.j][place.i]);
+                of[place.j][place.i] = part + 1;
+                rows[place.j]++;
+                columns[place.i]++;
+                TEST_ASSERT_TRUE(parts == 1 || (place.i / 2 == k % (n / 2) && place.j / 2 == k / (n / 2)));
+            }
+            for (int i = 0; i < n; i++) {
+                TEST_ASSERT_INT_WITHIN(2, n / parts, rows[i]);
+                TEST_ASSERT_INT_WITHIN(2, n / parts, columns[i]);
+            }
+        }
+    }
+}
+
+/* A refined pixel is the average of the uniform grid's samples, or of one or two quarters of them that differ little, bit for
+ * bit; any other is its centre, which tells the average to half a step. */
 static void check_pixels(const char *path)
 {
     Scene scene = load_small(path, 23, 17);
     for (int i = 0; i < scene.screen.columns * scene.screen.rows; i++) {
         int column = i % scene.screen.columns, row = i / scene.screen.columns;
         bool refined = verdict_of(&scene, column, row).reason != ADAPTIVE_SAME;
-        Vec3 pixel = pixel_of(&scene, true, 4, column, row), plain = pixel_of(&scene, false, refined ? 4 : 1, column, row);
+        Vec3 pixel = pixel_of(&scene, true, FINEST, column, row);
+        Vec3 plain = refined ? average_of_parts(&scene, column, row) : pixel_of(&scene, false, 1, column, row);
         snprintf(message, sizeof message, "%s: pixel %d,%d of %d x %d, refined: %d", path, column, row,
                  scene.screen.columns, scene.screen.rows, refined);
         TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&plain, &pixel, sizeof pixel, message);
@@ -297,11 +353,16 @@ static void adaptive_should_err_less_the_finer_its_grid(void)
     Picture truth = render(&scene, BACKEND_REFERENCE, (RenderSettings){0});
     double before = HUGE_VAL;
     scene.adaptive = true;
-    for (scene.grid = 1; scene.grid <= 8; scene.grid *= 2) {
+    for (scene.grid = 1; scene.grid <= 8; scene.grid += scene.grid < 4 ? scene.grid : 2) {
         Picture picture = render(&scene, BACKEND_REFERENCE, (RenderSettings){0});
         double now = rmse(&picture, &truth);
         TEST_ASSERT_TRUE(now < before);
         before = now;
+        scene.adaptive = false;
+        Picture uniform = render(&scene, BACKEND_REFERENCE, (RenderSettings){0});
+        scene.adaptive = true;
+        TEST_ASSERT_TRUE(now < 1.06 * rmse(&uniform, &truth));
+        picture_free(&uniform);
         picture_free(&picture);
     }
     picture_free(&truth);
@@ -309,17 +370,17 @@ static void adaptive_should_err_less_the_finer_its_grid(void)
 }
 
 /* The double kernel decides like the reference in every pixel; the float kernel may refine a pixel that needs it not. */
-static void compare_backends(const char *path, Precision precision, int lanes, AccelKind accel)
+static void compare_backends(const char *path, int grid, Precision precision, int lanes, AccelKind accel)
 {
     Scene scene = load_small(path, 131, 97);
     int pixels = scene.screen.columns * scene.screen.rows, off = 0;
     scene.adaptive = true;
-    scene.grid = 3;
+    scene.grid = grid;
     Picture expected = render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_BVH});
     Picture picture = render(&scene, BACKEND_OPENCL, (RenderSettings){.precision = precision, .lanes = lanes, .accel = accel});
     for (int i = 0; i < 3 * pixels; i++)
         off += abs(picture.rgb[i] - expected.rgb[i]) > (precision == PRECISION_FLOAT);
-    snprintf(message, sizeof message, "%s at %d lanes", path, lanes);
+    snprintf(message, sizeof message, "%s at %d lanes, grid %d", path, lanes, grid);
     if (precision == PRECISION_FLOAT) {
         TEST_ASSERT_TRUE_MESSAGE(picture.report.refined_pixels >= expected.report.refined_pixels, message);
         TEST_ASSERT_LESS_OR_EQUAL_INT_MESSAGE(3 * (1 + pixels / 10000), off, message);
@@ -339,12 +400,12 @@ static void adaptive_should_be_the_same_in_both_backends(void)
                             "tests/scenes/many_lights.json", "tests/scenes/one_sided.json", "tests/scenes/shadow_black.json",
                             "tests/scenes/split.json", "tests/scenes/viewer_camera.json", "tests/scenes/wide_pixels.json"};
     for (int s = 0; s < (int)(sizeof scenes / sizeof *scenes); s++) {
-        compare_backends(scenes[s], PRECISION_DOUBLE, 8, ACCEL_BVH);
-        compare_backends(scenes[s], PRECISION_FLOAT, 16, ACCEL_BVH);
+        compare_backends(scenes[s], s % 2 ? 3 : 6, PRECISION_DOUBLE, 8, ACCEL_BVH);
+        compare_backends(scenes[s], s % 2 ? 3 : 6, PRECISION_FLOAT, 16, ACCEL_BVH);
     }
     for (int lanes = 1; lanes <= 16; lanes *= 4)
-        compare_backends("scenes/gallery.json", PRECISION_DOUBLE, lanes, lanes == 16 ? ACCEL_NONE : ACCEL_BVH);
-    compare_backends("scenes/gallery.json", PRECISION_DOUBLE, 8, ACCEL_KDTREE);
+        compare_backends("scenes/gallery.json", 6, PRECISION_DOUBLE, lanes, lanes == 16 ? ACCEL_NONE : ACCEL_BVH);
+    compare_backends("scenes/gallery.json", 6, PRECISION_DOUBLE, 8, ACCEL_KDTREE);
 }
 
 int main(void)
@@ -358,6 +419,7 @@ int main(void)
     RUN_TEST(adaptive_should_leave_out_what_is_behind);
     RUN_TEST(adaptive_should_leave_out_what_reaches_behind);
     RUN_TEST(adaptive_should_find_a_highlight_between_all_samples);
+    RUN_TEST(adaptive_parts_should_share_out_the_grid_evenly);
     RUN_TEST(adaptive_should_give_the_grid_or_the_centre_where_that_is_enough);
     RUN_TEST(adaptive_should_decide_alike_with_any_tree);
     RUN_TEST(adaptive_should_err_less_the_finer_its_grid);

@@ -76,7 +76,8 @@ static void error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarter
     TEST_ASSERT_TRUE(power >= 0.75);
 }
 
-/* Pixels that are one colour need no more than their centre, and the others get the grid: the error is the grid's. */
+/* Pixels that are one colour need no more than their centre, and an edge that is anything shows in the first samples of the others,
+ * which are the corners among them: the error is the grid's. */
 static void adaptive_error_should_be_that_of_the_grid_and_fall_with_it_for_fewer_rays(void)
 {
     double last = HUGE_VAL;

@@ -349,6 +349,25 @@ class Options(CommandTest):
             for label in labels:
                 self.assertEqual(svg.count(f">{label}</text>"), 2, label) # in either view
 
+    def test_a_sample_that_adaptive_sampling_left_out_is_refused(self):
+        words = ("--size", "160x90", "--sampling", "adaptive:6")
+        gallery = os.path.abspath("scenes/gallery.json")
+        samples = {}
+        for column in range(0, 160, 3):
+            out, _ = self.run_program("trace", gallery, "--pixel", f"{column},70", "--format", "json", *words)
+            events = json.loads(out)["events"]
+            taken = [(event["i"], event["j"]) for event in events if event["event"] == "sample"]
+            samples[len(taken)] = column
+            if len(taken) > 1: # the corners are always among them
+                self.assertLessEqual({(0, 0), (5, 0), (0, 5), (5, 5)}, set(taken))
+        self.assertLessEqual({1, 9}, set(samples))
+        self.assertLessEqual(set(samples), {1, 9, 18, 36})
+        pixel = ("trace", gallery, "--pixel", f"{samples[9]},70", *words)
+        _, err = self.run_program(*pixel, "--sample", "1,0", status=2)
+        self.assertIn("--sample 1,0: adaptive sampling left it out", err)
+        out, _ = self.run_program(*pixel, "--sample", "5,5")
+        self.assertIn("the average of 9 of 6 x 6 samples", " ".join(out.decode().split()))
+
     def test_verbose_lists_every_face(self):
         out, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12", "--verbose")
         short, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12")
