@@ -10,6 +10,9 @@
 #include "light.h"
 #include "walk.h"
 
+/* Tables, a line each. */
+/* clang-format off */
+
 typedef enum EventKind {
     EVENT_ADAPTIVE,     /* adaptive sampling has judged the pixel */
     EVENT_SAMPLE,       /* a primary ray starts */
@@ -58,6 +61,8 @@ typedef struct Event {
         struct { int tested, verdicts[FACE_VERDICT_COUNT], nodes_met, nodes_entered, leaves; bool shadow; } tally; /* shadow: of a shadow ray; leaves: among the nodes entered */
     } as;
 } Event;
+
+/* clang-format on */
 
 typedef struct Recorder {
     void (*record)(void *user, const Event *event);

@@ -10,6 +10,9 @@ typedef struct Vec3 {
     double x, y, z;
 } Vec3;
 
+/* An operation, a line. */
+/* clang-format off */
+
 static inline Vec3 vec3(double x, double y, double z) { return (Vec3){x, y, z}; }
 static inline Vec3 vec3_add(Vec3 a, Vec3 b) { return vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
 static inline Vec3 vec3_sub(Vec3 a, Vec3 b) { return vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
@@ -36,5 +39,7 @@ static inline Vec3 vec3_unit(Vec3 a)
 }
 
 static inline int vec3_is_finite(Vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
+
+/* clang-format on */
 
 #endif
