@@ -4,6 +4,7 @@
 #define RECTRAY_BENCH_H
 
 #include "bench_folder.h"
+#include "image.h"
 #include "render.h"
 #include "scene.h"
 
@@ -22,8 +23,16 @@ typedef struct BenchScene {
 typedef struct BenchPlan {
     RenderSettings settings;
     int repeats;        /* pictures to take the median of */
+    bool skips;         /* measure, too, what is left out */
     BenchFolder folder; /* for generated scenes, pictures, caches and the data of plots */
 } BenchPlan;
+
+/* A kind of work left out of a scene, and what tracing takes with it left out and with it done. */
+typedef struct BenchSkip {
+    uint64_t count; /* 0: the scene lets none of it be left out, and nothing was measured */
+    double left_ms, done_ms;
+    bool same; /* the two pictures */
+} BenchSkip;
 
 /* Times are medians, in milliseconds. */
 typedef struct BenchTrace {
@@ -40,6 +49,7 @@ typedef struct BenchTrace {
     double peer_trace_ms, peer_build_ms, peer_share; /* share: of the time, inside the peer's own code */
     double peer_bytes;
     RayCounts peer_rays;
+    BenchSkip skips[SKIPS];
     long long differing, far_off; /* pixels of the two pictures that differ, and that do by more than 1 of 255 */
 } BenchTrace;
 
@@ -60,6 +70,12 @@ bool bench_settle(BenchScene *scene, Error *error);
 
 /* Traces the scene after a warm-up, turn by turn with the peer where it is built. */
 bool bench_trace(BenchTrace *result, const BenchScene *scene, const BenchPlan *plan, Error *error);
+
+/* One picture of ours; `picture`, of the scene's size, is filled where it is not NULL. */
+bool bench_trace_once(const Scene *scene, const RenderSettings *settings, Image *picture, RenderReport *report, Error *error);
+
+/* Measures what is left out of a scene that was traced into the result. */
+bool bench_skips(BenchTrace *result, const Scene *scene, const BenchPlan *plan, Error *error);
 
 /* Renders the scene, which must be settled, by starting this program again and again. To be called before bench_trace:
  * on Linux a process begins with the peak memory of the one that started it. */

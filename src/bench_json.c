@@ -1,6 +1,8 @@
 /* The same measurements for programs. Every cJSON function passes a NULL on, so memory is checked once, at the end. */
 #include "bench_report.h"
 
+#include "skip.h"
+
 #include <cjson/cJSON.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -44,6 +46,21 @@ static void add_peer(cJSON *object, const BenchTrace *t)
     cJSON_AddNumberToObject(object, "ratio", t->peer_trace_ms / t->trace_ms);
 }
 
+static void add_skips(cJSON *object, const BenchTrace *t)
+{
+    cJSON *skips = cJSON_AddObjectToObject(object, "skipped");
+    for (int skip = 0; skip < SKIPS; skip++) {
+        const BenchSkip *s = &t->skips[skip];
+        if (s->count == 0)
+            continue;
+        cJSON *kind = cJSON_AddObjectToObject(skips, skip_texts[skip].name);
+        cJSON_AddNumberToObject(kind, "count", (double)s->count);
+        cJSON_AddNumberToObject(kind, "left_out_ms", s->left_ms);
+        cJSON_AddNumberToObject(kind, "done_ms", s->done_ms);
+        cJSON_AddBoolToObject(kind, "same_picture", s->same);
+    }
+}
+
 static cJSON *trace_json(const BenchTrace *t)
 {
     cJSON *object = scene_json(&t->scene);
@@ -55,8 +72,10 @@ static cJSON *trace_json(const BenchTrace *t)
     cJSON_AddNumberToObject(object, "primary_ms", t->primary_ms);
     cJSON_AddNumberToObject(object, "unmirrored_ms", t->unmirrored_ms);
     cJSON_AddNumberToObject(object, "build_ms", t->build_ms);
+    cJSON_AddNumberToObject(object, "device_bytes", (double)t->report.device_bytes);
     cJSON_AddStringToObject(object, "build_options", t->report.build_options);
     add_rays(object, &t->report.rays);
+    add_skips(object, t);
     add_peer(object, t);
     return object;
 }

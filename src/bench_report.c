@@ -1,6 +1,8 @@
 /* Tables in markdown. Each says in its head what its figures are; a dash stands for what was not measured. */
 #include "bench_report.h"
 
+#include "skip.h"
+
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -107,8 +109,8 @@ static void print_kinds(FILE *out, const Bench *bench)
 
 static void print_builds(FILE *out, const Bench *bench)
 {
-    fputs("\n| scene | faces | our build, ms | Embree's, ms | ours / Embree's | Embree's memory, bytes per face |\n"
-          "| --- | ---: | ---: | ---: | ---: | ---: |\n",
+    fputs("\n| scene | faces | our build, ms | Embree's, ms | ours / Embree's | our memory on the device, bytes per face | Embree's |\n"
+          "| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
           out);
     for (int i = 0; i < bench->trace_count; i++) {
         const BenchTrace *t = &bench->traces[i];
@@ -116,9 +118,29 @@ static void print_builds(FILE *out, const Bench *bench)
         cell(out, t->build_ms);
         cell(out, t->peer_build_ms);
         cell(out, t->build_ms / t->peer_build_ms);
+        cell(out, (double)t->report.device_bytes / t->faces);
         cell(out, t->peer_bytes / t->faces);
         fputs("\n", out);
     }
+}
+
+/* What is left out, scene by scene. */
+static void print_skips(FILE *out, const Bench *bench)
+{
+    fputs("\n| scene | left out | how much of it | with it left out, ms | with it done, ms | done / left out | the picture |\n"
+          "| --- | --- | ---: | ---: | ---: | ---: | --- |\n",
+          out);
+    for (int i = 0; i < bench->trace_count; i++)
+        for (int skip = 0; skip < SKIPS; skip++) {
+            const BenchSkip *s = &bench->traces[i].skips[skip];
+            if (s->count == 0)
+                continue;
+            fprintf(out, "| %s | `%s` | %" PRIu64 " |", bench->traces[i].scene.name, skip_texts[skip].name, s->count);
+            cell(out, s->left_ms);
+            cell(out, s->done_ms);
+            cell(out, s->done_ms / s->left_ms);
+            fprintf(out, " %s |\n", s->same ? "the same" : "**differs**");
+        }
 }
 
 static void print_processes(FILE *out, const Bench *bench)
@@ -191,6 +213,7 @@ void bench_print_markdown(FILE *out, const void *data)
         print_trace_times(out, bench);
         print_kinds(out, bench);
         print_builds(out, bench);
+        print_skips(out, bench);
     }
     if (bench->process_count > 0) {
         print_processes(out, bench);

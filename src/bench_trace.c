@@ -2,7 +2,6 @@
  * more picture, so that both meet the same weather: one of ours, one of its, and so on. */
 #include "bench.h"
 
-#include "image.h"
 #include "opencl.h"
 #include "process.h"
 #include "scene_json.h"
@@ -38,8 +37,7 @@ static bool keep_band(void *user, int first_row, int rows, const unsigned char *
     return true;
 }
 
-static bool trace_once(const Scene *scene, const RenderSettings *settings, Image *picture, RenderReport *report,
-                       Error *error)
+bool bench_trace_once(const Scene *scene, const RenderSettings *settings, Image *picture, RenderReport *report, Error *error)
 {
     return opencl_render(scene, settings, (BandSink){keep_band, picture}, report, error);
 }
@@ -132,7 +130,7 @@ static bool trace_in_turns(BenchTrace *result, const Scene *scene, const BenchPl
     double ours[BENCH_MAX_REPEATS], builds[BENCH_MAX_REPEATS], theirs[BENCH_MAX_REPEATS];
     for (int i = -1; i < repeats; i++) { /* -1: to warm up */
         int at = i < 0 ? 0 : i;
-        if (!trace_once(scene, &plan->settings, picture, &result->report, error) ||
+        if (!bench_trace_once(scene, &plan->settings, picture, &result->report, error) ||
             (peer->pid && !peer_trace(peer, &theirs[at], error)))
             return false;
         ours[at] = result->report.trace_ms;
@@ -152,7 +150,7 @@ static bool trace_median(const Scene *scene, const BenchPlan *plan, double *ms, 
     double times[BENCH_MAX_REPEATS];
     for (int i = 0; i < plan->repeats; i++) {
         RenderReport report;
-        if (!trace_once(scene, &plan->settings, NULL, &report, error))
+        if (!bench_trace_once(scene, &plan->settings, NULL, &report, error))
             return false;
         times[i] = report.trace_ms;
         *shadow = report.rays.shadow;
@@ -218,7 +216,7 @@ bool bench_trace(BenchTrace *result, const BenchScene *wanted, const BenchPlan *
     bool done = peer_start(&peer, result, plan, error) &&
                 trace_in_turns(result, &scene, plan, &peer, &picture, error) &&
                 (!result->has_peer || peer_finish(&peer, result, plan, &picture, error)) &&
-                trace_by_kind(result, &scene, plan, error);
+                trace_by_kind(result, &scene, plan, error) && (!plan->skips || bench_skips(result, &scene, plan, error));
     process_end(&peer);
     image_free(&picture);
     scene_free(&scene);

@@ -67,6 +67,7 @@ static bool measure_ladder(Bench *bench, const Options *options, Error *error)
 
 static bool measure_scaling(Bench *bench, const Options *options, Error *error)
 {
+    bench->plan.skips = false;
     for (size_t i = 0; i < sizeof cities / sizeof *cities; i++) {
         char name[32];
         snprintf(name, sizeof name, "city-%d", cities[i]);
@@ -175,7 +176,7 @@ bool command_bench(const Options *options, Error *error)
     Bench *bench = calloc(1, sizeof *bench);
     if (!bench)
         return error_memory(error, "the measurements");
-    bench->plan = (BenchPlan){.settings = options->settings, .repeats = options->repeats > 0 ? options->repeats : 5};
+    bench->plan = (BenchPlan){.settings = options->settings, .repeats = options->repeats > 0 ? options->repeats : 5, .skips = true};
     bool done = bench_folder_open(&bench->plan.folder, options->folder, error);
     if (done) {
         done = measure_and_report(bench, options, error);

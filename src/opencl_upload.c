@@ -47,6 +47,13 @@ static unsigned char *closed_boxes(const Scene *scene, const RenderSettings *set
     return closed;
 }
 
+static uint64_t device_bytes(const Scene *scene, const DeviceScene *packed, const DeviceTree *tree)
+{
+    return (uint64_t)scene->face_count * sizeof(FaceRecord) + reals_bytes(&packed->edges) + reals_bytes(&packed->planes) +
+           reals_bytes(&packed->materials) + reals_bytes(&packed->lights) + reals_bytes(&packed->view) +
+           tree->float_count * sizeof(float) + tree->int_count * sizeof(int);
+}
+
 static bool upload(OpenclSession *session, const Scene *scene, const RenderSettings *settings, const Accel *accel,
                    const DeviceTree *tree, SceneOnDevice *on_device, RenderReport *report, Error *error)
 {
@@ -68,6 +75,7 @@ static bool upload(OpenclSession *session, const Scene *scene, const RenderSetti
               (on_device->counters = opencl_buffer(session, CL_MEM_READ_WRITE, COUNTERS * sizeof(cl_uint), NULL, error)) &&
               (on_device->tree_floats = buffer_of(session, tree->floats, tree->float_count, sizeof(float), error)) &&
               (on_device->tree_ints = buffer_of(session, tree->ints, tree->int_count, sizeof(int), error));
+    report->device_bytes = device_bytes(scene, &packed, tree);
     device_scene_free(&packed);
     free(closed);
     report->upload_ms += clock_ms() - start;

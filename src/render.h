@@ -56,6 +56,7 @@ typedef struct RenderReport {
     uint64_t box_tests, face_tests;
     uint64_t refined_pixels; /* by adaptive sampling: those that got more than their centre */
     uint64_t skipped[SKIPS]; /* what was left out, by kind: skips.h says in what it is counted */
+    uint64_t device_bytes;   /* of the scene and its tree in the device's memory */
     int lanes, threads;
     AccelKind accel;         /* the one used */
     char device[128];

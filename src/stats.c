@@ -99,6 +99,7 @@ static void print_text(FILE *out, const Stats *stats)
         fprintf(out, "%-22s%14" PRIu64 "\n", lists.counts[i].words, lists.counts[i].count);
     fprintf(out, "%-22s%14d\n", "faces", stats->faces);
     fprintf(out, "%-22s%14d\n", "lights", stats->lights);
+    fprintf(out, "%-22s%14.1f MiB\n", "device memory", (double)report->device_bytes / 1048576);
     fprintf(out, "%-22s%14.1f MiB\n", "peak memory", (double)peak_memory_bytes() / 1048576);
     fprintf(out, "%-22s%s, %s, %d rays at once, accel %s\n", "backend", backend_name(stats->backend),
             precision_name(stats->precision), report->lanes, accel_name(report->accel));
@@ -139,6 +140,7 @@ static bool fill_json(cJSON *object, const Stats *stats)
            cJSON_AddNumberToObject(object, "lanes", report->lanes) &&
            cJSON_AddStringToObject(object, "accel", accel_name(report->accel)) &&
            cJSON_AddStringToObject(object, "build_options", report->build_options) &&
+           add_count(object, "device_memory_bytes", report->device_bytes) &&
            add_count(object, "peak_memory_bytes", peak_memory_bytes());
 }
 

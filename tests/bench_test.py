@@ -59,6 +59,12 @@ class Speed(BenchTest):
         self.assertIsNone(scene["peer"])
         for key in ("faces", "lights", "trace_ms", "fastest_ms", "slowest_ms", "primary_ms", "unmirrored_ms", "build_ms"):
             self.assertGreaterEqual(scene[key], 0, key)
+        self.assertGreater(scene["device_bytes"], 0)
+        self.assertEqual(set(scene["skipped"]), {"mirrors", "tree"})
+        for kind in scene["skipped"].values():
+            self.assertGreater(kind["count"], 0)
+            self.assertGreater(kind["done_ms"], 0)
+            self.assertTrue(kind["same_picture"])
         process = result["processes"][0]
         self.assertEqual(set(process["cold_ms"]), PHASES)
         self.assertEqual(set(process["warm_ms"]), PHASES)

@@ -115,7 +115,7 @@ class Render(CommandTest):
 
     def test_stats_go_to_stdout_or_where_the_picture_does_not(self):
         keys = ["phases_ms", "rays", "skipped", "pixels", "tests", "faces", "lights", "device", "backend", "precision", "lanes",
-                "accel", "build_options", "peak_memory_bytes"]
+                "accel", "build_options", "device_memory_bytes", "peak_memory_bytes"]
         stats = json.loads(self.render("--stats=json")[0])
         self.assertEqual(sorted(stats), sorted(keys))
         self.assertEqual(sorted(stats["phases_ms"]), sorted(["parse", "build", "device", "compile", "upload", "trace",
