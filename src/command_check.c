@@ -2,6 +2,7 @@
  * left out. With --geometry: every face exactly as it is traced, for programs (docs/commands.md has the format). */
 #include "command.h"
 #include "scene_json.h"
+#include "skip.h"
 #include "survey.h"
 #include "text.h"
 
@@ -100,7 +101,23 @@ static int print_skippable_faces(const Survey *survey)
            print_count(survey->idle, "of these altogether: nothing else sees them, and they block no light");
 }
 
-static void print_skippable(const Scene *scene, const Survey *survey)
+/* Every other face of a closed box. False without memory. */
+static bool print_skippable_boxes(const Scene *scene, int *printed, Error *error)
+{
+    unsigned char *closed = calloc((size_t)scene->face_count + 1, 1);
+    if (!closed)
+        return error_memory(error, "the boxes of the scene");
+    skip_closed_boxes(scene, closed);
+    int faces = 0;
+    for (int i = 0; i < scene->face_count; i++)
+        faces += closed[i];
+    free(closed);
+    if (faces > 0)
+        *printed += printf("  every other of the %d faces of closed boxes, for the camera and for each light\n", faces);
+    return true;
+}
+
+static bool print_skippable(const Scene *scene, const Survey *survey, Error *error)
 {
     int printed = 0;
     printf("can skip\n");
@@ -115,8 +132,11 @@ static void print_skippable(const Scene *scene, const Survey *survey)
         if (!survey->material_used[i])
             printed += printf("  material %s: no face has it\n", text_quote(scene->materials[i].name).text);
     printed += print_skippable_faces(survey);
+    if (!print_skippable_boxes(scene, &printed, error))
+        return false;
     if (printed == 0)
         printf("  nothing\n");
+    return true;
 }
 
 /* --- Every face, exactly --- */
@@ -173,7 +193,7 @@ static bool print_report(const char *path, const Scene *scene, Error *error)
         printf("%s: a valid scene\n", path);
         print_contents(scene, &survey);
         print_needs(scene, &survey);
-        print_skippable(scene, &survey);
+        done = print_skippable(scene, &survey, error);
     }
     survey_free(&survey);
     return done;
