@@ -24,6 +24,13 @@ typedef struct Pencil {
     Mask left;     /* the face that each ray leaves, not to be hit again */
 } Pencil;
 
+/* Of a packet without active rays. */
+INLINE Pencil no_pencil(void)
+{
+    Pencil p = {{(Lanes)0, (Lanes)0, (Lanes)0}, (Lanes)0, (Mask)0, (Mask)-1};
+    return p;
+}
+
 /* A shadow ray, told from the light. */
 INLINE void aim_from_light(Pencil *p, WideVec light, WideVec point)
 {

@@ -177,8 +177,8 @@ INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, c
     Pencil pencils[PACKETS];
     EACH_PACKET(p) {
         nearest[p] = nothing_yet();
+        pencils[p] = no_pencil();
         pencils[p].active = paths[p].active;
-        pencils[p].ahead = vec(0, 0, 0);
         if (!ANY(paths[p].active))
             continue;
         pencils[p].left = paths[p].left;

@@ -196,7 +196,7 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
         Mask facing[PACKETS], asking[PACKETS], blocked[PACKETS];
         EACH_PACKET(p) {
             facing[p] = asking[p] = (Mask)0;
-            pencils[p].ahead = vec(0, 0, 0);
+            pencils[p] = no_pencil();
             if (!ANY(active[p]))
                 continue;
             facing[p] = faces_light(g, surfaces + p, position, active[p], &side);
