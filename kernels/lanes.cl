@@ -42,16 +42,8 @@ typedef float8 real8;
 #define SHIFT_FLOOR 0x1p-60f
 #endif
 
-/* Is that work left out where a scene does not need it? All is unless a build option says otherwise. */
-#ifndef NO_SKIP
-#define NO_SKIP 0
-#endif
-#define SKIPS(skip) (!((NO_SKIP) >> (skip) & 1))
-
-/* Can a path go on after its first hit? */
-#ifndef MIRRORS
-#define MIRRORS 1
-#endif
+/* Is that work left out where a scene does not need it? p: the Parameters. */
+#define SKIPS(p, skip) (!((p)->no_skip >> (skip) & 1))
 
 /* Some functions the compiler would rather call; a call passes its vectors through memory. */
 #define INLINE static inline __attribute__((always_inline))

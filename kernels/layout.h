@@ -37,7 +37,8 @@ typedef struct Parameters {
     int viewer_ray;     /* 1: V points back along the ray */
     int ray_count;      /* cast only */
     int refine_first, refine_count; /* render_adaptive only: the stretch of the list of pixels that this launch refines */
-    int padding[3];
+    int no_skip;        /* bit SKIP_...: that work is done although the scene does not need it */
+    int padding[2];
 } Parameters;
 
 /* The edge functions of a face: edge k has the moment v[k] x v[k+1] and the direction v[k+1] - v[k]. What belongs together

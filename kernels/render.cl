@@ -204,7 +204,7 @@ INLINE void drop_weak(const Shading *s, Path *path, Lanes reflection, Counters *
 {
 #if defined(LINEAR) || ADAPTIVE
 #else
-    if (!SKIPS(SKIP_WEAK_BOUNCE) || s->parameters->grid > 1 || !ANY(path->active))
+    if (!SKIPS(s->parameters, SKIP_WEAK_BOUNCE) || s->parameters->grid > 1 || !ANY(path->active))
         return;
     Lanes most = path->weight * reflection * (Lanes)s->view[VIEW_BRIGHTEST];
     Vec t = path->total;
@@ -263,16 +263,15 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const Apex *apex, co
             if (!ANY(path->active))
                 continue;
             path->total = vec_select(path->active, vec_add(path->total, vec_scale(path->weight, illumination[p])), path->total);
-            if (!MIRRORS)
+            if (bounces == parameters->max_bounces)
                 continue;
             if (!parameters->shadow_ambient)
                 path->active &= lit[p];
             path->active &= IS(surfaces[p].reflection > (Lanes)0);
-            if (bounces < parameters->max_bounces)
-                drop_weak(s, path, surfaces[p].reflection, counters);
+            drop_weak(s, path, surfaces[p].reflection, counters);
             active[p] = path->active;
         }
-        if (!MIRRORS || bounces == parameters->max_bounces || !any_packet(active))
+        if (bounces == parameters->max_bounces || !any_packet(active))
             return;
         EACH_PACKET(p) {
             Path *path = paths + p;
@@ -419,7 +418,7 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
         for (int i = 0; i < p.grid; i++) {
             ScreenPlaces places = screen_places(&s, first_column, p.first_row + first_row, i, j);
             Bundle seen = screen_bundle(&s, &apex, &places);
-            if (SKIPS(SKIP_EMPTY_TILE) && misses_all(&tree, &seen)) {
+            if (SKIPS(&p, SKIP_EMPTY_TILE) && misses_all(&tree, &seen)) {
                 see_background(&s, inside, sum, &counters);
                 continue;
             }

@@ -157,7 +157,7 @@ INLINE Vec illuminate(const Shading *s, const Surface *surface, global const rea
         if (ANY(lit)) {
             Vec all = vec_add(sum, scale_colour(l_dot_n, coloured(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE)));
             real3 shine = coloured(material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
-            if (SKIPS(SKIP_HIGHLIGHT) && shine.x == 0 && shine.y == 0 && shine.z == 0)
+            if (SKIPS(s->parameters, SKIP_HIGHLIGHT) && shine.x == 0 && shine.y == 0 && shine.z == 0)
                 counters->kinds[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(lit);
             else
                 all = vec_add(all, scale_colour(power(n_dot_h, (Lanes)material[MATERIAL_EXPONENT]), shine));
@@ -191,7 +191,7 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
                             (wide)light[2] + (wide)light[5]};
         WideVec at = wide_vec((Wide)position[0], (Wide)position[1], (Wide)position[2]);
         LightSide side = {-1, 0};
-        bool only_ambient = SKIPS(SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && has_only_ambient(light);
+        bool only_ambient = SKIPS(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && has_only_ambient(light);
         Pencil pencils[PACKETS];
         Mask facing[PACKETS], asking[PACKETS], blocked[PACKETS];
         EACH_PACKET(p) {
@@ -203,7 +203,7 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
             asking[p] = facing[p];
             if (only_ambient)
                 counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += mask_count(facing[p]);
-            if (SKIPS(SKIP_LIGHT_BEHIND))
+            if (SKIPS(s->parameters, SKIP_LIGHT_BEHIND))
                 counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += mask_count(active[p] & ~facing[p]);
             else
                 asking[p] = active[p];

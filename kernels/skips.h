@@ -13,7 +13,7 @@ enum {
     SKIPS_COUNTED,
     SKIP_LIGHT_BLACK = SKIPS_COUNTED, /* lights without a colour */
     SKIP_IDLE_FACE,     /* faces that no ray can hit */
-    SKIP_MIRRORS,       /* the code of reflections, where nothing reflects: 1 */
+    SKIP_MIRRORS,       /* the look for reflections, where nothing reflects: 1 */
     SKIP_TREE,          /* the tree, where there are few faces: 1 */
     SKIPS
 };

@@ -64,6 +64,7 @@ static bool render_bands(OpenclSession *session, const Scene *scene, const Scene
                          Error *error)
 {
     Parameters parameters = opencl_parameters(scene);
+    parameters.no_skip = (int)session->no_skip;
     size_t tiles_across = (size_t)((parameters.columns + session->tile_columns - 1) / session->tile_columns);
     int band = FIRST_BAND_ROWS < most_rows ? FIRST_BAND_ROWS : most_rows;
     if (!opencl_warm_up(session, on_device, kernel, parameters, report, error))
@@ -100,11 +101,11 @@ static int band_limit(const OpenclSession *session, const Scene *scene)
     return rows;
 }
 
-static bool render_session(OpenclSession *session, const Scene *scene, bool mirrors, const RenderSettings *settings,
-                           BandSink sink, RenderReport *report, Error *error)
+static bool render_session(OpenclSession *session, const Scene *scene, const RenderSettings *settings, BandSink sink,
+                           RenderReport *report, Error *error)
 {
     SceneOnDevice on_device;
-    if (!opencl_prepare(session, "render", scene, mirrors, settings, &on_device, report, error))
+    if (!opencl_prepare(session, "render", scene, settings, &on_device, report, error))
         return false;
     int most_rows = band_limit(session, scene);
     size_t values = (size_t)most_rows * (size_t)scene->screen.columns * 3, bytes = values * value_bytes(session);
@@ -142,7 +143,7 @@ bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink 
     OpenclSession session = {.linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
     LeanScene lean;
     bool ok = lean_scene_make(&lean, scene, settings, report, error) &&
-              render_session(&session, &lean.scene, lean.mirrors, settings, sink, report, error);
+              render_session(&session, &lean.scene, settings, sink, report, error);
     opencl_close(&session);
     lean_scene_free(&lean);
     return ok;

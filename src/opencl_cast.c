@@ -66,7 +66,7 @@ bool opencl_cast(const Scene *scene, const RenderSettings *settings, const doubl
     OpenclSession session = {0};
     CastArrays arrays = {0};
     SceneOnDevice on_device;
-    bool ok = opencl_prepare(&session, "cast", scene, true, settings, &on_device, report, error) &&
+    bool ok = opencl_prepare(&session, "cast", scene, settings, &on_device, report, error) &&
               cast_arrays(&arrays, &session, rays, count, error) &&
               cast_session(&session, scene, &on_device, &arrays, count, report, error);
     for (long i = 0; ok && i < count; i++) {

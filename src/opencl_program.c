@@ -94,10 +94,8 @@ static void write_options(const OpenclSession *session, Variant variant, RenderR
              (int)sizeof(Parameters));
     char *options = report->build_options;
     size_t room = sizeof report->build_options, used = strlen(options);
-    used += (size_t)snprintf(options + used, room - used, "%s%s%s", session->linear ? " -DLINEAR=1" : "",
-                             session->adaptive ? " -DADAPTIVE=1" : "", variant.mirrors ? "" : " -DMIRRORS=0");
-    if (variant.no_skip)
-        snprintf(options + used, room - used, " -DNO_SKIP=%u", variant.no_skip);
+    snprintf(options + used, room - used, "%s%s", session->linear ? " -DLINEAR=1" : "",
+                             session->adaptive ? " -DADAPTIVE=1" : "");
 }
 
 static CacheKey key_of(const OpenclSession *session, const Sources *sources, const char *name, const char *options)
@@ -185,6 +183,7 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
 {
     double start = clock_ms();
     session->notice = settings->notice;
+    session->no_skip = settings->no_skip;
     if (!opencl_find_device(settings->device, settings->threads, &session->device, &session->info, error) ||
         !choose_lanes(session, settings, error) || !open_context(session, error))
         return false;

@@ -22,6 +22,7 @@ typedef struct OpenclSession {
     cl_context context;
     cl_command_queue queue;
     cl_program program;
+    unsigned no_skip; /* as in RenderSettings */
     Notice notice;
     CacheKey key;     /* of the program */
     bool from_source; /* it was compiled in this run, not kept from an earlier one */
@@ -37,8 +38,6 @@ typedef struct Variant {
     AccelKind accel;  /* not ACCEL_AUTO */
     int node_width;
     int stack_size;   /* nodes that a walk may have to remember */
-    bool mirrors;     /* whether a path can go on after its first hit */
-    unsigned no_skip; /* as in RenderSettings */
 } Variant;
 
 /* Builds the program for running the kernel `name`: from the sources embedded in rectray, or from the files of the folder that

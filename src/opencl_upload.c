@@ -96,14 +96,14 @@ static bool build_tree(const OpenclSession *session, const Scene *scene, const R
     return ok;
 }
 
-bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene, bool mirrors,
-                    const RenderSettings *settings, SceneOnDevice *on_device, RenderReport *report, Error *error)
+bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene, const RenderSettings *settings,
+                    SceneOnDevice *on_device, RenderReport *report, Error *error)
 {
     Accel accel = {.kind = ACCEL_NONE};
     DeviceTree tree = {0};
     bool ok = opencl_open(session, settings, report, error) &&
               build_tree(session, scene, settings, &accel, &tree, report, error) &&
-              opencl_build(session, name, (Variant){accel.kind, tree.node_width, tree.stack_size, mirrors, settings->no_skip}, report, error) &&
+              opencl_build(session, name, (Variant){accel.kind, tree.node_width, tree.stack_size}, report, error) &&
               upload(session, scene, settings, &accel, &tree, on_device, report, error);
     accel_free(&accel);
     device_tree_free(&tree);

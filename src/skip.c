@@ -71,16 +71,17 @@ static bool keep_faces(LeanScene *lean, const Scene *scene, Error *error)
 
 bool lean_scene_make(LeanScene *lean, const Scene *scene, const RenderSettings *settings, RenderReport *report, Error *error)
 {
-    *lean = (LeanScene){.scene = *scene, .mirrors = true};
+    *lean = (LeanScene){.scene = *scene};
     Survey survey;
     if (!survey_materials(&survey, scene, error))
         return false;
     bool reflections = survey.reflections;
     int black = survey.lights_black;
     survey_free(&survey);
-    if (skip_wanted(settings, SKIP_MIRRORS)) {
-        lean->mirrors = reflections;
-        report->skipped[SKIP_MIRRORS] = !reflections;
+    /* No path goes on after its first hit. */
+    if (!reflections && !scene->adaptive && skip_wanted(settings, SKIP_MIRRORS)) {
+        lean->scene.shading.max_bounces = 0;
+        report->skipped[SKIP_MIRRORS] = 1;
     }
     /* Adaptive sampling looks at faces that no ray hits and at shadows of black lights, too: they may make it cast more rays.
      * Under the black rule a path goes on from where a light reaches, be it black. */

@@ -23,7 +23,6 @@ typedef struct LeanScene {
     Light *lights; /* its own, or NULL */
     Face *faces;
     Plane *planes;
-    bool mirrors; /* whether any path can go on after its first hit; true where SKIP_MIRRORS is not wanted */
 } LeanScene;
 
 /* Makes it, and counts in the report what was left out. False without memory; lean_scene_free may be called in any case. */

@@ -26,7 +26,7 @@ void probe_open(Probe *probe, Precision precision)
     RenderSettings settings = {.precision = precision, .device = -1};
     RenderReport report = {0};
     Error error = {0};
-    Variant no_tree = {ACCEL_NONE, 1, 1, true, 0};
+    Variant no_tree = {ACCEL_NONE, 1, 1};
     bool ok = opencl_open(&probe->session, &settings, &report, &error) &&
               opencl_build(&probe->session, "probe", no_tree, &report, &error);
     probe_sources_remove(kept);
