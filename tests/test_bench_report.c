@@ -44,6 +44,8 @@ static BenchTrace city(void)
                         .build_ms = 4, .fastest_ms = 1.5, .slowest_ms = 3, .primary_ms = 1, .unmirrored_ms = 1.75,
                         .unmirrored_shadow = 1500000, .peer_trace_ms = 5, .peer_build_ms = 8, .peer_share = 0.75,
                         .peer_bytes = 600600, .differing = 7, .far_off = 3,
+                        .skips[SKIP_TREE] = {1, 2, 3, true},
+                        .report.device_bytes = 1201200,
                         .report.rays = {.primary = 2000000, .shadow = 1600000, .reflection = 400000}};
 }
 
@@ -74,7 +76,8 @@ static void tables_should_reckon_ratios_and_rates(void)
     TEST_ASSERT_NOT_NULL(strstr(page, "The geometric mean of the ratios is **2.50**."));
     /* 2 million in 1 ms; 1.5 million in 0.75; 0.4 and 0.1 million of their shadow rays in 0.25. */
     TEST_ASSERT_NOT_NULL(strstr(page, "| 2000000 | 1600000 | 400000 | 2000 | 2000 | 2000 |"));
-    TEST_ASSERT_NOT_NULL(strstr(page, "| city-1k | 6006 | 4.00 | 8.00 | 0.50 | 100 |\n"));
+    TEST_ASSERT_NOT_NULL(strstr(page, "| city-1k | 6006 | 4.00 | 8.00 | 0.50 | 200 | 100 |\n"));
+    TEST_ASSERT_NOT_NULL(strstr(page, "| city-1k | `tree` | 1 | 2.00 | 3.00 | 1.50 | the same |\n"));
 }
 
 static void what_was_not_measured_should_be_a_dash(void)
