@@ -51,7 +51,10 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
         pencils[p].left = (Mask)left[i];
         aim_from_light(pencils + p, wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]), points[p]);
     }
-    find_blocked(&g, &tree, target, pencils, points, asking, found, &counters);
+    Mask close[PACKETS]; /* nothing is left out */
+    EACH_PACKET(p)
+        close[p] = (Mask)-1;
+    find_blocked(&g, &tree, target, pencils, points, close, asking, found, &counters);
     blocked[i] = ANY(found[0]);
 }
 
@@ -112,7 +115,13 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
     for (int k = 3; k < 6; k++)
         largest = fmax(largest, (real)fabs(rays[6 * i + k]));
     Apex apex = apex_at(eye, 0, largest * (1 + 4 * REAL_ROUNDING));
-    trace_paths(&g, &s, &apex, paths, rays_of, 0, &counters);
+    Pencil pencils[PACKETS];
+    EACH_PACKET(p) {
+        pencils[p].active = paths[p].active;
+        pencils[p].ahead = vec_to_real(rays_of[p].direction);
+    }
+    Bundle seen = bundle_from(&apex, pencils, PACKETS);
+    trace_paths(&g, &s, &apex, &seen, paths, rays_of, 0, &counters);
     Vec colour = paths[0].total;
     Lanes numbers[3] = {colour.x, colour.y, colour.z};
     for (int k = 0; k < 3; k++) {
