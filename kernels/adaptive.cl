@@ -245,11 +245,11 @@ static void beam_of_pixels(const Shading *s, const Tile *tile, int packet, int l
             }
         }
     }
-    beam_bounds(b);
     for (int i = 0; i < 2; i++) {
         b->middle[i] = (low[i] + high[i]) / 2;
         b->extent[i] = (high[i] - low[i]) / 2 + 1;
     }
+    beam_bounds(b);
 }
 
 /* Leaves in `active` the lanes for whose pixels the centre will do. */

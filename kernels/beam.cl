@@ -15,7 +15,7 @@
 #define BOX_SLACK (real)0x1p-36
 #else
 #define REAL_SLACK (real)0x1p-20f
-#define BOX_SLACK (real)0x1p-19f
+#define BOX_SLACK (real)0x1p-18f
 #endif
 
 #if REAL_DOUBLE
@@ -76,7 +76,7 @@ typedef struct Beam {
     Point apex, u, v;
     Point c0;                  /* the c of one of the group's pixels, */
     wide middle[2], extent[2]; /* and where the others' beams are in u and v from there: between middle -+ half */
-    wide size, width;
+    wide size, width, length; /* length: no less than that of each lane */
     bool mirrored;
     BeamLanes lanes[PACKETS];
 } Beam;
@@ -88,6 +88,7 @@ INLINE WideVec wide_point(Point p) { return wide_vec((Wide)p.x, (Wide)p.y, (Wide
 INLINE void beam_bounds(Beam *b)
 {
     b->width = point_magnitudes(b->u) + point_magnitudes(b->v);
+    b->length = point_magnitudes(b->c0) + 2 * (b->extent[0] + b->extent[1]) * b->width;
     EACH_PACKET(k) {
         BeamLanes *lanes = b->lanes + k;
         lanes->real_c = vec_to_real(lanes->c);
@@ -134,6 +135,7 @@ NOINLINE void beam_from_point(const Geometry *g, const Beam *beam, int face, Poi
     }
     b->size = point_magnitudes(x);
     b->width = grown * beam->width;
+    b->length = grown * beam->length;
     b->mirrored = false;
     EACH_PACKET(k) {
         WideVec c = beam->lanes[k].c;

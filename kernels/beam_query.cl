@@ -87,7 +87,8 @@ typedef struct Cuts {
     int count;
 } Cuts;
 
-INLINE void add_cut(Cuts *cuts, Point w, Point o)
+/* slack: how far off w.x may be, for each unit of |x - o|1 + size. */
+INLINE void add_cut(Cuts *cuts, Point w, Point o, wide slack, wide size)
 {
     int i = cuts->count++;
     cuts->w[0][i] = (real)w.x;
@@ -96,8 +97,21 @@ INLINE void add_cut(Cuts *cuts, Point w, Point o)
     cuts->o[0][i] = (real)o.x;
     cuts->o[1][i] = (real)o.y;
     cuts->o[2][i] = (real)o.z;
-    cuts->slack[i] = BOX_SLACK * (real)point_magnitudes(w);
-    cuts->size[i] = (real)point_magnitudes(o);
+    cuts->slack[i] = BOX_SLACK * (real)slack;
+    cuts->size[i] = (real)size;
+}
+
+/* What is on the positive side of a face's plane. */
+INLINE void cut_plane(Cuts *cuts, const Geometry *g, int face, int side)
+{
+    Point n = point_scale(side, face_normal(g, face)), corner = face_point(g, face, 0);
+    add_cut(cuts, n, corner, point_magnitudes(n), point_magnitudes(corner));
+}
+
+/* What is beyond a side of the beam; no less in doubt than where a face is beyond that: see beam_sides. */
+INLINE void cut_side(Cuts *cuts, const Beam *b, Point w)
+{
+    add_cut(cuts, w, b->apex, GREATER(b->extent[0], b->extent[1]) * b->width * b->length, b->size);
 }
 
 static void make_cuts(const Geometry *g, const BeamQuery *q, Cuts *cuts)
@@ -109,15 +123,15 @@ static void make_cuts(const Geometry *g, const BeamQuery *q, Cuts *cuts)
     wide sign = point_dot(uv, c) < 0 ? -1 : 1;
     Cuts none = {{{0}}};
     *cuts = none;
-    add_cut(cuts, point_scale(sign, point_sub(vc, uv)), b->apex);
-    add_cut(cuts, point_scale(-sign, point_add(vc, uv)), b->apex);
-    add_cut(cuts, point_scale(sign, point_sub(cu, uv)), b->apex);
-    add_cut(cuts, point_scale(-sign, point_add(cu, uv)), b->apex);
+    cut_side(cuts, b, point_scale(sign, point_sub(vc, uv)));
+    cut_side(cuts, b, point_scale(-sign, point_add(vc, uv)));
+    cut_side(cuts, b, point_scale(sign, point_sub(cu, uv)));
+    cut_side(cuts, b, point_scale(-sign, point_add(cu, uv)));
 #if ACCEL == ACCEL_BVH /* a box of a k-d tree may hold but a part of a face, of which another part may be elsewhere */
     if (q->to >= 0)
-        add_cut(cuts, point_scale(-q->far.side, face_normal(g, q->to)), face_point(g, q->to, 0));
+        cut_plane(cuts, g, q->to, -q->far.side);
     if (q->from >= 0)
-        add_cut(cuts, point_scale(q->near.side, face_normal(g, q->from)), face_point(g, q->from, 0));
+        cut_plane(cuts, g, q->from, q->near.side);
 #endif
 }
 

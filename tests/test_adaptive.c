@@ -398,7 +398,8 @@ static void adaptive_should_be_the_same_in_both_backends(void)
 {
     const char *scenes[] = {"scenes/gallery.json", "scenes/original.json", "scenes/cornell.json", "scenes/mirrors.json",
                             "tests/scenes/many_lights.json", "tests/scenes/one_sided.json", "tests/scenes/shadow_black.json",
-                            "tests/scenes/split.json", "tests/scenes/viewer_camera.json", "tests/scenes/wide_pixels.json"};
+                            "tests/scenes/split.json", "tests/scenes/viewer_camera.json", "tests/scenes/wide_pixels.json",
+                            "tests/scenes/narrow_pixels.json"};
     for (int s = 0; s < (int)(sizeof scenes / sizeof *scenes); s++) {
         compare_backends(scenes[s], s % 2 ? 3 : 6, PRECISION_DOUBLE, 8, ACCEL_BVH);
         compare_backends(scenes[s], s % 2 ? 3 : 6, PRECISION_FLOAT, 16, ACCEL_BVH);
