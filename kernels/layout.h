@@ -23,14 +23,11 @@ typedef struct FaceRecord {
 /* A path has at most so many hits. */
 enum { PATH_MAX = 65 };
 
-/* Adaptive sampling: a work-item refines so many pixels for each of its packets. */
-enum { REFINED_PER_PACKET = 4 };
-
 /* What stays the same over a launch, but for the band. */
 typedef struct Parameters {
     int columns, rows;
     int first_row, band_rows; /* the rows that this launch renders */
-    int grid;
+    int grid;           /* so many columns and rows of cells in a pixel; where it is refined, so many samples, one in each of them */
     int face_count, light_count;
     int max_bounces;
     int shadow_ambient; /* 1: a light's ambient term counts in its shadow too, and the path goes on */
@@ -38,7 +35,8 @@ typedef struct Parameters {
     int ray_count;      /* cast only */
     int refine_first, refine_count; /* render_adaptive only: the stretch of the list of pixels that this launch refines */
     int no_skip;        /* bit SKIP_...: that work is done although the scene does not need it */
-    int padding[2];
+    int generator;      /* render_adaptive only: sample k of a refined pixel is in row k generator mod grid */
+    int padding;
 } Parameters;
 
 /* The edge functions of a face: edge k has the moment v[k] x v[k+1] and the direction v[k+1] - v[k]. What belongs together

@@ -24,25 +24,23 @@ static const Material *material_of(const Scene *scene, int face)
 
 /* --- The samples of a refined pixel --- */
 
-int adaptive_parts(int grid) { return grid >= 6 && grid % 2 == 0 ? 4 : 1; }
-
-/* In block (a, b) the first quarter has the sample (b & 1, a & 1), so that neighbours lie a step apart and all rows and columns
- * of the grid have about as many; but of the four corners it has all: where an edge cuts off any sample, it cuts off a corner.
- * The second quarter has the opposite samples. */
-GridPlace adaptive_sample(int grid, int part, int k)
+int adaptive_samples(int n)
 {
-    if (adaptive_parts(grid) == 1)
-        return (GridPlace){k % grid, k / grid};
-    static const GridPlace turns[] = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
-    int last = grid / 2 - 1, a = k % (last + 1), b = k / (last + 1);
-    bool corner = (a == 0 || a == last) && (b == 0 || b == last);
-    int i = corner ? a == last : b & 1, j = corner ? b == last : a & 1;
-    return (GridPlace){2 * a + (i ^ turns[part].i), 2 * b + (j ^ turns[part].j)};
+    int samples = 2;
+    while (samples < 2 * n || 4 * samples < n * n)
+        samples *= 2;
+    return samples;
 }
 
-bool adaptive_is_enough(int parts, double spread)
+/* Of the odd generators those whose lattices have the longest shortest vector (the spectral test: Knuth, The Art of Computer
+ * Programming 2, 3.3.4); of these the one with the least error at straight edges of all directions. */
+int adaptive_generator(int samples)
 {
-    return (parts == 1 && spread < ADAPTIVE_QUARTER_SPREAD) || (parts == 2 && spread < ADAPTIVE_HALF_SPREAD);
+    static const int generators[] = {1, 3, 5, 13, 25, 19, 105, 119, 405, 271};
+    int power = 1;
+    while (samples >> power > 1)
+        power++;
+    return generators[power - 1];
 }
 
 /* --- How much light there can be --- */

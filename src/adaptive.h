@@ -1,6 +1,6 @@
 /* Adaptive sampling: is one ray through its centre enough for a pixel? It is where the path of that ray is the path of
  * every ray of the pixel: the same faces, the same lights, and light that changes too evenly over the pixel to matter.
- * Then the ray's colour is the pixel's average; else the pixel gets the whole grid. docs/algorithm.md, step 14. Floor 4. */
+ * Then the ray's colour is the pixel's average; else the pixel gets a lattice of samples. docs/algorithm.md, step 14. Floor 4. */
 #ifndef RECTRAY_ADAPTIVE_H
 #define RECTRAY_ADAPTIVE_H
 
@@ -9,11 +9,6 @@
 
 /* What adds less than this to a pixel is left out: an eighth of an output step. */
 #define ADAPTIVE_TOLERANCE 0x1p-11
-
-/* Where the samples of a quarter of the grid differ by less than this, they are enough; and those of two quarters. An edge that
- * small leaves a smaller error with fewer samples than a large one with all. */
-#define ADAPTIVE_QUARTER_SPREAD (1.0 / 16)
-#define ADAPTIVE_HALF_SPREAD (1.0 / 8)
 
 /* The faces that a ray met, in order; a -1 at the end says that it left the scene. */
 typedef struct Path {
@@ -37,18 +32,14 @@ typedef struct AdaptiveVerdict {
     int light; /* ADAPTIVE_SHADOW, _HIGHLIGHT */
 } AdaptiveVerdict;
 
-/* A refined pixel's n x n samples are traced in parts. Where n is even and at least 6 they are quarters, one sample of each
- * block of 2 x 2; for any other n all samples are one part. */
-int adaptive_parts(int grid);
+/* How many samples each refined pixel gets, where the finest grid is n x n: a power of two, at least 2 n and n^2/4, at most n^2
+ * (n >= 2). */
+int adaptive_samples(int n);
 
-/* Sample k of a part; with one part they come row by row. */
-typedef struct GridPlace {
-    int i, j;
-} GridPlace;
-GridPlace adaptive_sample(int grid, int part, int k);
-
-/* After that many parts, the samples of which differ by at most `spread` in a channel, may the others be left out? */
-bool adaptive_is_enough(int parts, double spread);
+/* The samples of a refined pixel are a lattice: of a grid of samples x samples cells sample k has the middle of cell
+ * (k, k generator mod samples), so that each column and each row holds one. `samples`: a power of two from 2 to 1024.
+ * After Sloan and Joe (1994), Lattice Methods for Multiple Integration. */
+int adaptive_generator(int samples);
 
 /* The most that a hit, with all that its mirror shows, can add to a pixel of the scene. */
 double adaptive_brightest(const Scene *scene);

@@ -1,6 +1,7 @@
 /* rectray trace: the walkthrough of one pixel, step by step, in one of several formats. */
 #include "command.h"
 #include "accel.h"
+#include "adaptive.h"
 #include "ink.h"
 #include "output.h"
 #include "scene_json.h"
@@ -22,9 +23,10 @@ static bool check_request(const Options *options, const Scene *scene, Error *err
     if (options->pixel_column >= screen->columns || options->pixel_row >= screen->rows)
         return error_set(error, ERROR_USAGE, "--pixel %d,%d is outside the picture, whose pixels are 0,0 to %d,%d",
                          options->pixel_column, options->pixel_row, screen->columns - 1, screen->rows - 1);
-    if (options->sample_i >= scene->grid || options->sample_j >= scene->grid)
+    int grid = scene->adaptive && scene->grid > 1 ? adaptive_samples(scene->grid) : scene->grid;
+    if (options->sample_i >= grid || options->sample_j >= grid)
         return error_set(error, ERROR_USAGE, "--sample %d,%d is outside the grid, whose samples are 0,0 to %d,%d",
-                         options->sample_i, options->sample_j, scene->grid - 1, scene->grid - 1);
+                         options->sample_i, options->sample_j, grid - 1, grid - 1);
     return true;
 }
 

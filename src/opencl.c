@@ -1,6 +1,7 @@
 /* The OpenCL backend: renders a scene band by band, the height of a band by the time that the last one took. */
 #include "opencl.h"
 
+#include "adaptive.h"
 #include "light.h"
 #include "opencl_refine.h"
 #include "skip.h"
@@ -65,6 +66,8 @@ static bool render_bands(OpenclSession *session, const Scene *scene, const Scene
 {
     Parameters parameters = opencl_parameters(scene);
     parameters.no_skip = (int)session->no_skip;
+    if (session->adaptive)
+        parameters.generator = adaptive_generator(adaptive_samples(scene->grid));
     size_t tiles_across = (size_t)((parameters.columns + session->tile_columns - 1) / session->tile_columns);
     int band = FIRST_BAND_ROWS < most_rows ? FIRST_BAND_ROWS : most_rows;
     if (!opencl_warm_up(session, on_device, kernel, parameters, report, error))
@@ -77,7 +80,7 @@ static bool render_bands(OpenclSession *session, const Scene *scene, const Scene
         double before = report->trace_ms;
         if (!opencl_launch(session, on_device, kernel, &parameters, tiles_across * tiles_down, report, error))
             return false;
-        parameters.grid = scene->grid;
+        parameters.grid = session->adaptive ? adaptive_samples(scene->grid) : scene->grid;
         if ((session->adaptive && !opencl_refine(session, on_device, kernel, refinement, parameters, report, error)) ||
             !read_band(session, pixels, &parameters, report, error) ||
             !sink.band(sink.user, row, parameters.band_rows, pixels->rgb, report, error))

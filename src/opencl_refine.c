@@ -58,7 +58,7 @@ bool opencl_refine(OpenclSession *session, const SceneOnDevice *on_device, cl_ke
                    const Refinement *refinement, Parameters band, RenderReport *report, Error *error)
 {
     long count = write_list(session, refinement, band, report, error);
-    const int each = REFINED_PER_PACKET * session->packets_across * session->packets_across; /* pixels of a work-item */
+    const int each = session->packets_across * session->packets_across; /* a work-item refines a pixel with each of its packets */
     const long most = (long)OPENCL_MAX_ITEMS * each;
     for (long first = 0; first < count; first += most) {
         band.refine_first = (int)first;

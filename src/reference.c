@@ -290,27 +290,17 @@ static Vec3 trace_grid(const Tracer *tracer, int grid, int column, int row)
     return average_of(tracer, sum, grid * grid);
 }
 
-/* The average of as many parts of the grid as are needed. */
-static Vec3 trace_refined(const Tracer *tracer, int column, int row)
+/* The average of a lattice of samples. */
+static Vec3 trace_lattice(const Tracer *tracer, int samples, int column, int row)
 {
-    int grid = tracer->scene->grid, parts = adaptive_parts(grid), samples = 0;
-    Vec3 sum = {0, 0, 0}, low = vec3(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = vec3_negate(low);
-    for (int part = 0; part < parts; part++) {
-        for (int k = 0; k < grid * grid / parts; k++, samples++) {
-            GridPlace place = adaptive_sample(grid, part, k);
-            Vec3 c = trace_sample(tracer, grid, column, row, place.i, place.j);
-            sum = vec3_add(sum, c);
-            low = vec3(fmin(low.x, c.x), fmin(low.y, c.y), fmin(low.z, c.z));
-            high = vec3(fmax(high.x, c.x), fmax(high.y, c.y), fmax(high.z, c.z));
-        }
-        Vec3 spread = vec3_sub(high, low);
-        if (adaptive_is_enough(part + 1, fmax(spread.x, fmax(spread.y, spread.z))))
-            break;
-    }
+    int generator = adaptive_generator(samples);
+    Vec3 sum = {0, 0, 0};
+    for (int k = 0; k < samples; k++)
+        sum = vec3_add(sum, trace_sample(tracer, samples, column, row, k, k * generator % samples));
     return average_of(tracer, sum, samples);
 }
 
-/* Adaptive sampling: the centre's colour where its path is the whole pixel's; else that of samples of the grid. */
+/* Adaptive sampling: the centre's colour where its path is the whole pixel's; else that of a lattice. */
 static Vec3 trace_adaptive(const Tracer *tracer, int column, int row)
 {
     Path path;
@@ -324,7 +314,8 @@ static Vec3 trace_adaptive(const Tracer *tracer, int column, int row)
     tracer->report->refined_pixels += refine;
     if (!refine && !tracer->recorder)
         return centre;
-    return refine ? trace_refined(tracer, column, row) : trace_grid(tracer, 1, column, row);
+    return refine ? trace_lattice(tracer, adaptive_samples(tracer->scene->grid), column, row)
+                  : trace_grid(tracer, 1, column, row);
 }
 
 Vec3 reference_pixel(const Tracer *tracer, int column, int row)

@@ -2,6 +2,7 @@
  * a hundred thousand faces leaves a list no longer than a scene of six. */
 #include "walkthrough.h"
 
+#include "adaptive.h"
 #include "reference.h"
 
 #include <stdlib.h>
@@ -109,6 +110,8 @@ static void record(void *user, const Event *event)
     if (event->kind == EVENT_ADAPTIVE && event->as.adaptive.reason == ADAPTIVE_SAME) {
         walk->grid = 1;
         request->i = request->j = 0;
+    } else if (event->kind == EVENT_ADAPTIVE) {
+        walk->grid = adaptive_samples(walk->scene->grid);
     }
     if (event->kind == EVENT_SAMPLE)
         walk->found |= walk->telling = is_told(request, event);
@@ -141,9 +144,10 @@ bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *acce
     if (walk->failed)
         return error_memory(error, "the walkthrough");
     return walk->found || error_set(error, ERROR_USAGE,
-                                    "--sample %d,%d: adaptive sampling left it out, for the samples that it took of pixel %d,%d, "
-                                    "as 0,0, differ little; with --sampling uniform all are traced",
-                                    request.i, request.j, request.column, request.row);
+                                    "--sample %d,%d: adaptive sampling traces one sample in each column of pixel %d,%d, in column %d "
+                                    "that of row %d; with --sampling uniform it is %d x %d",
+                                    request.i, request.j, request.column, request.row, request.i,
+                                    request.i * adaptive_generator(walk->grid) % walk->grid, scene->grid, scene->grid);
 }
 
 void walkthrough_free(Walkthrough *walk)

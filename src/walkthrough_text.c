@@ -94,15 +94,14 @@ static void print_head(const TextWalk *text)
         scene->face_count == 1 ? "" : "s", scene->light_count, scene->light_count == 1 ? "" : "s");
     if (walk->count > 0 && walk->events[0].kind == EVENT_ADAPTIVE)
         print_verdict(text, &walk->events[0].as.adaptive);
-    InkText some = {.text = ""};
-    if (walk->count > 0 && walk->events[walk->count - 1].kind == EVENT_PIXEL &&
-        walk->events[walk->count - 1].as.pixel.samples < walk->grid * walk->grid)
-        some = ink_text("%d of ", walk->events[walk->count - 1].as.pixel.samples);
-    if (walk->grid > 1)
+    int n = walk->grid;
+    InkText samples = scene->adaptive ? ink_text("%d samples, one in each column and each row of a grid of %d x %d", n, n, n)
+                                      : ink_text("%d x %d samples", n, n);
+    if (n > 1)
         ink_paragraph(ink,
-                      "The pixel is the average of %s%d x %d samples. Told in full is sample (%d, %d), in column %d and "
+                      "The pixel is the average of %s. Told in full is sample (%d, %d), in column %d and "
                       "row %d of the grid inside the pixel; --sample I,J tells another.",
-                      some.text, walk->grid, walk->grid, request->i, request->j, request->i, request->j);
+                      samples.text, request->i, request->j, request->i, request->j);
     Vec3 c = scene->centre;
     if (c.x != 0 || c.y != 0 || c.z != 0)
         ink_paragraph(ink,

@@ -43,12 +43,12 @@ void text_path_end(TextWalk *text, const Event *event)
     print_sum(text, event);
 }
 
-static void print_samples(const TextWalk *text)
+static void print_samples(const TextWalk *text, int samples)
 {
     enum { SHORT_LIST = 16 };
     const Walkthrough *walk = text->walk;
-    int n = walk->grid, count = 0;
-    bool list = n * n <= SHORT_LIST || walk->request.verbose;
+    int count = 0;
+    bool list = samples <= SHORT_LIST || walk->request.verbose;
     ink_line(&text->ink, "\n    That is sample (%d, %d).%s", walk->request.i, walk->request.j,
              list ? " All samples, each found in the same way:\n"
                   : " --verbose lists the others, found in the same way.");
@@ -71,7 +71,7 @@ void text_pixel(TextWalk *text, const Event *event)
     const Ink *ink = &text->ink;
     const unsigned char *rgb = event->as.pixel.rgb;
     if (event->as.pixel.samples > 1) {
-        print_samples(text);
+        print_samples(text, event->as.pixel.samples);
         ink_line(ink, "\n    average = sum / %d = %s / %d\t= %s", event->as.pixel.samples,
                  ink_vector(event->as.pixel.sum, 6).text, event->as.pixel.samples,
                  ink_vector(event->as.pixel.average, 6).text);
