@@ -117,7 +117,7 @@ static void judge_hit(Judge *j, int from, Mask *group)
     }
     count_asking(&q);
     if (q.asking)
-        walk_beam(j->g, j->s->tree, &q, j->counters);
+        walk_beam(j->g, j->s, &q, j->counters);
     EACH_PACKET(k)
         group[k] = q.active[k];
 }
@@ -153,7 +153,7 @@ static void judge_light(const Judge *j, int index, Mask *group)
         q.crossed[k] = q.filled[k] = (Mask)0;
     }
     count_asking(&q);
-    walk_beam(j->g, j->s->tree, &q, j->counters);
+    walk_beam(j->g, j->s, &q, j->counters);
     Mask reached[PACKETS];
     EACH_PACKET(k) {
         reached[k] = group[k] & ~q.crossed[k];

@@ -37,11 +37,12 @@ static bool is_on_side(const Geometry *g, int face, int of, int side)
     return off;
 }
 
-static void ask_beam(const Geometry *g, BeamQuery *q, int i)
+static void ask_beam(const Geometry *g, BeamQuery *q, const WholeBeam *whole, int i, Counters *counters)
 {
     const Beam *beam = q->beam;
-    if (i == q->from || i == q->to)
+    if (i == q->from || i == q->to || is_clear_of(g, whole, i))
         return;
+    counters->kinds[COUNT_FACE_TESTS] += q->asking;
     BeamPlane seen = beam_plane(g, beam, i);
     int back = q->shadow ? 1 : -1;
     if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && g->faces[i].front_only) ||
@@ -77,86 +78,48 @@ static void ask_beam(const Geometry *g, BeamQuery *q, int i)
 
 #if ACCEL != ACCEL_NONE
 
-/* Planes, on the positive side of which nothing is wanted: w.(x - o) > 0. They are the sides of a beam that holds those of all
- * lanes, and a little more than they, so that no box is left out of which a face would not be; and the planes between which
- * faces are wanted. What is not used is 0, which leaves nothing out. */
-enum { CUTS_MAX = 8 };
+/* Planes, on the positive side of which nothing is wanted: w.x > limit. They are the sides of the whole beam, and the planes
+ * between which faces are wanted. */
+enum { CUTS_MAX = 6 };
 typedef struct Cuts {
-    real w[3][CUTS_MAX], o[3][CUTS_MAX];
-    real slack[CUTS_MAX], size[CUTS_MAX];
+    real w[CUTS_MAX][3], limit[CUTS_MAX], slack[CUTS_MAX];
+    int lowest[CUTS_MAX][3]; /* which plane of a box has the lowest w.x: of low x, high x, low y, ... */
     int count;
 } Cuts;
 
-/* slack: how far off w.x may be, for each unit of |x - o|1 + size. */
+/* The plane goes through o; slack: how far off w.(x - o) may be, for each unit of |x|1 + size. */
 INLINE void add_cut(Cuts *cuts, Point w, Point o, wide slack, wide size)
 {
     int i = cuts->count++;
-    cuts->w[0][i] = (real)w.x;
-    cuts->w[1][i] = (real)w.y;
-    cuts->w[2][i] = (real)w.z;
-    cuts->o[0][i] = (real)o.x;
-    cuts->o[1][i] = (real)o.y;
-    cuts->o[2][i] = (real)o.z;
-    cuts->slack[i] = BOX_SLACK * (real)slack;
-    cuts->size[i] = (real)size;
+    real_row(w, cuts->w[i]);
+    cuts->limit[i] = (real)(point_dot(w, o) + slack * (size + point_magnitudes(o)));
+    cuts->slack[i] = (real)slack;
+    for (int axis = 0; axis < 3; axis++)
+        cuts->lowest[i][axis] = 2 * axis + (cuts->w[i][axis] > 0 ? 0 : 1);
 }
 
 /* What is on the positive side of a face's plane. */
 INLINE void cut_plane(Cuts *cuts, const Geometry *g, int face, int side)
 {
     Point n = point_scale(side, face_normal(g, face)), corner = face_point(g, face, 0);
-    add_cut(cuts, n, corner, point_magnitudes(n), point_magnitudes(corner));
+    add_cut(cuts, n, corner, BOX_SLACK * point_magnitudes(n), point_magnitudes(corner));
 }
 
-/* What is beyond a side of the beam; no less in doubt than where a face is beyond that: see beam_sides. */
-INLINE void cut_side(Cuts *cuts, const Beam *b, Point w)
+static void make_cuts(const Geometry *g, const BeamQuery *q, const WholeBeam *b, Cuts *cuts)
 {
-    add_cut(cuts, w, b->apex, GREATER(b->extent[0], b->extent[1]) * b->width * b->length, b->size);
-}
-
-static void make_cuts(const Geometry *g, const BeamQuery *q, Cuts *cuts)
-{
-    const Beam *b = q->beam;
-    Point u = point_scale(b->extent[0] + (wide)0.0625f, b->u), v = point_scale(b->extent[1] + (wide)0.0625f, b->v);
-    Point c = point_add(b->c0, point_add(point_scale(b->middle[0], b->u), point_scale(b->middle[1], b->v)));
-    Point uv = point_cross(u, v), vc = point_cross(v, c), cu = point_cross(c, u);
-    wide sign = point_dot(uv, c) < 0 ? -1 : 1;
-    Cuts none = {{{0}}};
-    *cuts = none;
-    cut_side(cuts, b, point_scale(sign, point_sub(vc, uv)));
-    cut_side(cuts, b, point_scale(-sign, point_add(vc, uv)));
-    cut_side(cuts, b, point_scale(sign, point_sub(cu, uv)));
-    cut_side(cuts, b, point_scale(-sign, point_add(cu, uv)));
+    Point l = point(b->l[0], b->l[1], b->l[2]);
+    cuts->count = 0;
+    for (int k = 0; k < 4; k++) {
+        const real *across = k < 2 ? b->la : b->lb;
+        Point w = point_scale(k % 2 ? -1 : 1, point(across[0], across[1], across[2]));
+        add_cut(cuts, point_sub(w, l), q->beam->apex, b->side_slack, q->beam->size);
+    }
 #if ACCEL == ACCEL_BVH /* a box of a k-d tree may hold but a part of a face, of which another part may be elsewhere */
     if (q->to >= 0)
         cut_plane(cuts, g, q->to, -q->far.side);
     if (q->from >= 0)
         cut_plane(cuts, g, q->from, q->near.side);
 #endif
-}
-
-/* Does no cut leave out the face? All cuts at once. */
-INLINE bool face_is_left(const Cuts *cuts, global const float *vertices)
-{
-    int8 left = (int8)0;
-    for (int k = 0; k < 4; k++) {
-        real8 height = (real8)0, magnitude = vload8(0, cuts->size);
-        for (int axis = 0; axis < 3; axis++) {
-            real8 x = (real)vertices[3 * k + axis] - vload8(0, cuts->o[axis]);
-            height += vload8(0, cuts->w[axis]) * x;
-            magnitude += fabs(x);
-        }
-        left |= TO_INT8(height <= vload8(0, cuts->slack) * magnitude);
-    }
-    return all(left);
-}
-
-INLINE void ask_if_left(const Geometry *g, BeamQuery *q, const Cuts *cuts, int i, Counters *counters)
-{
-    if (!face_is_left(cuts, g->faces[i].vertices))
-        return;
-    counters->kinds[COUNT_FACE_TESTS] += q->asking;
-    ask_beam(g, q, i);
 }
 
 #endif
@@ -166,25 +129,27 @@ INLINE void ask_if_left(const Geometry *g, BeamQuery *q, const Cuts *cuts, int i
 /* The boxes, side by side, that no cut leaves out. `planes` holds low x, high x, low y, ... of each. */
 INLINE uint boxes_left(const Cuts *cuts, global const float *planes)
 {
+    Lanes magnitude = (Lanes)0;
+    for (int axis = 0; axis < 3; axis++) {
+        Lanes low = LOAD_FLOATS(planes + 2 * axis * NODE_WIDTH), high = LOAD_FLOATS(planes + (2 * axis + 1) * NODE_WIDTH);
+        magnitude += GREATER(fabs(low), fabs(high));
+    }
     Mask left = (Mask)-1;
     for (int i = 0; i < cuts->count; i++) {
-        Lanes height = (Lanes)0, magnitude = (Lanes)cuts->size[i];
-        for (int axis = 0; axis < 3; axis++) {
-            real w = cuts->w[axis][i], o = cuts->o[axis][i];
-            Lanes low = LOAD_FLOATS(planes + 2 * axis * NODE_WIDTH) - o;
-            Lanes high = LOAD_FLOATS(planes + (2 * axis + 1) * NODE_WIDTH) - o;
-            height += w * (w > 0 ? low : high);
-            magnitude += GREATER(fabs(low), fabs(high));
-        }
-        left &= IS(height <= cuts->slack[i] * magnitude);
+        Lanes height = -FMA(cuts->slack[i], magnitude, cuts->limit[i]);
+        for (int axis = 0; axis < 3; axis++)
+            height = FMA(cuts->w[i][axis], LOAD_FLOATS(planes + cuts->lowest[i][axis] * NODE_WIDTH), height);
+        left &= ~IS(height > (Lanes)0); /* NaN, from overflow, leaves nothing out */
     }
     return mask_bits(left);
 }
 
-NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Counters *counters)
+NOINLINE void walk_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
 {
+    const Tree *tree = s->tree;
+    WholeBeam whole = whole_beam(s, q->beam);
     Cuts cuts;
-    make_cuts(g, q, &cuts);
+    make_cuts(g, q, &whole, &cuts);
     int stack[STACK_SIZE], count = 0;
     stack[count++] = 0;
     while (count > 0) {
@@ -192,7 +157,7 @@ NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Count
         if (node < 0) {
             int first = LEAF_FIRST(node), faces = LEAF_COUNT(node);
             for (int i = first; i < first + faces && q->asking; i++)
-                ask_if_left(g, q, &cuts, i, counters);
+                ask_beam(g, q, &whole, i, counters);
             if (!q->asking)
                 return;
             continue;
@@ -215,24 +180,25 @@ typedef struct KdBox {
 
 static bool box_is_left(const Cuts *cuts, const KdBox *box)
 {
+    real magnitude = 0;
+    for (int axis = 0; axis < 3; axis++)
+        magnitude += GREATER(fabs(box->planes[2 * axis]), fabs(box->planes[2 * axis + 1]));
     for (int i = 0; i < cuts->count; i++) {
-        real height = 0, magnitude = cuts->size[i];
-        for (int axis = 0; axis < 3; axis++) {
-            real w = cuts->w[axis][i], o = cuts->o[axis][i];
-            real low = box->planes[2 * axis] - o, high = box->planes[2 * axis + 1] - o;
-            height += w * (w > 0 ? low : high);
-            magnitude += GREATER(fabs(low), fabs(high));
-        }
-        if (height > cuts->slack[i] * magnitude)
+        real height = -cuts->limit[i] - cuts->slack[i] * magnitude;
+        for (int axis = 0; axis < 3; axis++)
+            height += cuts->w[i][axis] * box->planes[cuts->lowest[i][axis]];
+        if (height > 0)
             return false;
     }
     return true;
 }
 
-NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Counters *counters)
+NOINLINE void walk_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
 {
+    const Tree *tree = s->tree;
+    WholeBeam whole = whole_beam(s, q->beam);
     Cuts cuts;
-    make_cuts(g, q, &cuts);
+    make_cuts(g, q, &whole, &cuts);
     KdBox stack[STACK_SIZE];
     int count = 1;
     stack[0].node = 0;
@@ -255,7 +221,7 @@ NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Count
             continue;
         }
         for (int i = ints[KD_FIRST]; i < ints[KD_FIRST] + ints[KD_COUNT] && q->asking; i++)
-            ask_if_left(g, q, &cuts, face_in_leaf(tree, i), counters);
+            ask_beam(g, q, &whole, face_in_leaf(tree, i), counters);
         if (!q->asking)
             return;
     }
@@ -263,12 +229,11 @@ NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Count
 
 #else
 
-NOINLINE void walk_beam(const Geometry *g, const Tree *tree, BeamQuery *q, Counters *counters)
+NOINLINE void walk_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
 {
-    for (int i = 0; i < g->face_count && q->asking; i++) {
-        counters->kinds[COUNT_FACE_TESTS] += q->asking;
-        ask_beam(g, q, i);
-    }
+    WholeBeam whole = whole_beam(s, q->beam);
+    for (int i = 0; i < g->face_count && q->asking; i++)
+        ask_beam(g, q, &whole, i, counters);
 }
 
 #endif

@@ -98,6 +98,7 @@ enum {
     VIEW_BACKGROUND = 14, /* 3, RGB */
     VIEW_BRIGHTEST = 17,  /* adaptive sampling: the most that a hit and all its mirror shows can add */
     VIEW_LARGEST = 18,    /* no component of a primary ray's direction is larger */
+    VIEW_FARTHEST = 19,   /* no vertex has larger |x|+|y|+|z| */
     VIEW_REALS = 20
 };
 

@@ -169,6 +169,16 @@ static double largest_direction(const View *view)
                 fmax(fabs(f.y) + fabs(x * r.y) + fabs(y * u.y), fabs(f.z) + fabs(x * r.z) + fabs(y * u.z)));
 }
 
+/* No vertex has larger |x|+|y|+|z|. */
+static double farthest_vertex(const Scene *scene)
+{
+    double farthest = 0;
+    for (int i = 0; i < scene->face_count; i++)
+        for (int k = 0; k < scene->faces[i].vertex_count; k++)
+            farthest = fmax(farthest, sum_of_magnitudes(face_vertex(&scene->faces[i], k)));
+    return farthest;
+}
+
 static void pack_view(Reals *reals, const Scene *scene)
 {
     View view = view_of(scene);
@@ -180,6 +190,7 @@ static void pack_view(Reals *reals, const Scene *scene)
     put_view(reals, VIEW_BACKGROUND, scene->shading.background);
     put_view(reals, VIEW_BRIGHTEST, vec3(adaptive_brightest(scene), 0, 0));
     put(reals, VIEW_LARGEST, largest_direction(&view) * (1 + 4 * (double)FLT_EPSILON));
+    put(reals, VIEW_FARTHEST, farthest_vertex(scene) * (1 + 4 * (double)FLT_EPSILON));
 }
 
 bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order,

@@ -1,0 +1,84 @@
+/* One beam that holds those of a whole group of pixels: what it is clear of, each pixel's is clear of, for its slacks are more
+ * than all their doubts. Nearly all faces and boxes are left out here, in real, all edges or corners at once. */
+
+#if ADAPTIVE
+
+/* In the beam's terms a point p from the apex is l (c + a u + b v); but for a positive factor, l a, l b and l are linear in p. */
+typedef struct WholeBeam {
+    real apex[3], size;
+    real la[3], lb[3], l[3], side_slack;
+    real c[3], u[3], v[3], moment_slack, direction_slack, height_slack;
+} WholeBeam;
+
+INLINE void real_row(Point p, real *row)
+{
+    row[0] = (real)p.x;
+    row[1] = (real)p.y;
+    row[2] = (real)p.z;
+}
+
+static WholeBeam whole_beam(const Shading *s, const Beam *b)
+{
+    Point u = point_scale(b->extent[0], b->u), v = point_scale(b->extent[1], b->v);
+    Point c = point_add(b->c0, point_add(point_scale(b->middle[0], b->u), point_scale(b->middle[1], b->v)));
+    Point uv = point_cross(u, v), vc = point_cross(v, c), cu = point_cross(c, u);
+    int sign = point_dot(uv, b->c0) < 0 ? -1 : 1;
+    wide us = point_magnitudes(u), vs = point_magnitudes(v), cs = point_magnitudes(c), crossed = us * vs + vs * cs + cs * us;
+    wide farthest = 2 * b->size + s->view[VIEW_FARTHEST], slack = WIDE_SLACK + REAL_SLACK;
+    WholeBeam whole;
+    whole.size = (real)b->size;
+    real_row(b->apex, whole.apex);
+    real_row(point_scale(sign, vc), whole.la);
+    real_row(point_scale(sign, cu), whole.lb);
+    real_row(point_scale(sign, uv), whole.l);
+    real_row(c, whole.c);
+    real_row(u, whole.u);
+    real_row(v, whole.v);
+    whole.side_slack = (real)(8 * REAL_ROUNDING * crossed + 4 * slack * b->extent[0] * b->extent[1] * b->width * b->length);
+    whole.moment_slack = (real)(16 * REAL_ROUNDING * (cs + us + vs) + 2 * REAL_SLACK * b->length);
+    whole.direction_slack = 2 * whole.size * whole.moment_slack + (real)(2 * WIDE_SLACK * farthest * b->length);
+    whole.height_slack = (real)((8 * REAL_ROUNDING + WIDE_SLACK) * farthest);
+    return whole;
+}
+
+INLINE real4 along_row(const real *row, real4 x, real4 y, real4 z)
+{
+    return fma((real4)row[0], x, fma((real4)row[1], y, row[2] * z));
+}
+
+/* Is the whole beam on the outer side of an edge? */
+INLINE bool is_outside(const WholeBeam *b, global const real *row)
+{
+    global const real *n = row + FACE_NORMAL;
+    real height = n[0] * b->apex[0] + n[1] * b->apex[1] + n[2] * b->apex[2] + row[FACE_OFFSET];
+    if (!(fabs(height) > b->height_slack))
+        return false;
+    real4 ax = (real4)b->apex[0], ay = (real4)b->apex[1], az = (real4)b->apex[2];
+    real4 ex = vload4(0, row + EDGE_DIRECTION), ey = vload4(1, row + EDGE_DIRECTION), ez = vload4(2, row + EDGE_DIRECTION);
+    real4 x = fma(ey, az, fma(-ez, ay, vload4(0, row + EDGE_MOMENT)));
+    real4 y = fma(ez, ax, fma(-ex, az, vload4(1, row + EDGE_MOMENT)));
+    real4 z = fma(ex, ay, fma(-ey, ax, vload4(2, row + EDGE_MOMENT)));
+    real4 middle = along_row(b->c, x, y, z), spread = fabs(along_row(b->u, x, y, z)) + fabs(along_row(b->v, x, y, z));
+    real doubt = b->moment_slack * row[FACE_MOMENT_BOUND] + b->direction_slack * row[FACE_DIRECTION_BOUND];
+    return any((height > 0 ? middle : -middle) > spread + doubt);
+}
+
+/* Is the whole face beyond one of the beam's sides? */
+INLINE bool is_beside(const WholeBeam *b, global const float *vertices)
+{
+    float8 first = vload8(0, vertices);
+    float4 last = vload4(2, vertices);
+    real4 x = (real4)(first.s0, first.s3, first.s6, last.s1) - b->apex[0];
+    real4 y = (real4)(first.s1, first.s4, first.s7, last.s2) - b->apex[1];
+    real4 z = (real4)(first.s2, first.s5, last.s0, last.s3) - b->apex[2];
+    real4 la = along_row(b->la, x, y, z), lb = along_row(b->lb, x, y, z);
+    real4 limit = along_row(b->l, x, y, z) + b->side_slack * (fabs(x) + fabs(y) + fabs(z) + b->size);
+    return all(la > limit) || all(-la > limit) || all(lb > limit) || all(-lb > limit);
+}
+
+INLINE bool is_clear_of(const Geometry *g, const WholeBeam *b, int face)
+{
+    return is_outside(b, g->edges + (size_t)face * FACE_REALS) || is_beside(b, g->faces[face].vertices);
+}
+
+#endif
