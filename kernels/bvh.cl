@@ -22,15 +22,6 @@ INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
     stack->enter[i] = enter;
 }
 
-/* Asks for cache lines ahead of their use. */
-INLINE void fetch(global const void *p, uint bytes)
-{
-#if __has_builtin(__builtin_prefetch) && LANES > 1
-    for (uint i = 0; i < bytes; i += 64)
-        __builtin_prefetch((const void *)((size_t)p + i));
-#endif
-}
-
 /* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. */
 INLINE uint children_met(const Tree *tree, const Bundle *b, int node, int part, Lanes *enter)
 {
@@ -55,6 +46,12 @@ INLINE bool misses_all(const Tree *tree, const Bundle *b)
     return true;
 }
 
+INLINE void fetch_node(const Tree *tree, int node)
+{
+    fetch(tree->floats + (size_t)node * (6 * NODE_WIDTH), 6 * NODE_WIDTH * sizeof(float));
+    fetch(tree->ints + (size_t)node * NODE_WIDTH, NODE_WIDTH * sizeof(int));
+}
+
 /* Puts the children that the bundle may meet on the stack. */
 INLINE void push_children(const Geometry *g, const Tree *tree, const Bundle *b, int node, Stack *stack)
 {
@@ -73,9 +70,9 @@ INLINE void push_children(const Geometry *g, const Tree *tree, const Bundle *b, 
             if (child == NO_CHILD)
                 continue;
             if (child < 0)
-                fetch(g->edges + (size_t)LEAF_FIRST(child) * FACE_REALS, FACE_REALS * sizeof(real));
+                fetch(g->edges + (size_t)LEAF_FIRST(child) * FACE_REALS, (uint)LEAF_COUNT(child) * FACE_REALS * sizeof(real));
             else
-                fetch(tree->floats + (size_t)child * (6 * NODE_WIDTH), 6 * NODE_WIDTH * sizeof(float));
+                fetch_node(tree, child);
             stack_insert(stack, floor, child, enters[i]);
         }
     }

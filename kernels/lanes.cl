@@ -49,6 +49,15 @@ typedef float8 real8;
 #define INLINE static inline __attribute__((always_inline))
 #define NOINLINE static __attribute__((noinline))
 
+/* Asks for cache lines ahead of their use. */
+INLINE void fetch(global const void *p, uint bytes)
+{
+#if __has_builtin(__builtin_prefetch) && LANES > 1
+    for (uint i = 0; i < bytes; i += 64)
+        __builtin_prefetch((const void *)((size_t)p + i));
+#endif
+}
+
 /* Is t wanted as exactly as `wide` can hold it? If not, plain arithmetic does, down to this share of its terms. */
 #define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
 #define PLAIN_DOUBT (wide)0x1p-20f

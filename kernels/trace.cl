@@ -197,6 +197,10 @@ INLINE bool ask_nearest_from(const Geometry *g, const Pencil *p, const Ray *ray,
     nearest->face = take ? (Mask)i : nearest->face;
     nearest->with_normal = take ? (Mask)(f->with_normal ? -1 : 0) : nearest->with_normal;
     bool nearer = ANY(take);
+    if (nearer) {
+        fetch(g->faces + i, sizeof(FaceRecord));
+        fetch(g->planes + (size_t)i * PLANE_REALS, PLANE_REALS * sizeof(wide));
+    }
     if (ANY(doubt))
         nearer |= settle_nearest(g, ray, doubt, i, nearest);
     return nearer;

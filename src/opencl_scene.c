@@ -3,9 +3,13 @@
 
 #include "adaptive.h"
 #include "geometry.h"
+#include "parallel.h"
 
 #include <float.h>
+#include <pthread.h>
 #include <stdlib.h>
+
+enum { MIN_PARALLEL = 1 << 14 }; /* fewer faces are packed sooner than threads start */
 
 /* The longest path has its place on the device. */
 typedef char PathMaxIsTheScenes[PATH_MAX == SCENE_MAX_BOUNCES + 1 ? 1 : -1];
@@ -193,7 +197,34 @@ static void pack_view(Reals *reals, const Scene *scene)
     put(reals, VIEW_FARTHEST, farthest_vertex(scene) * (1 + 4 * (double)FLT_EPSILON));
 }
 
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order,
+/* What the threads that pack the faces share. */
+typedef struct Packing {
+    DeviceScene *packed;
+    const Scene *scene;
+    const unsigned char *closed;
+    const int *order;
+    int next; /* guarded by the lock */
+    pthread_mutex_t lock;
+} Packing;
+
+static void pack_faces(void *argument)
+{
+    enum { EACH = 4096 };
+    Packing *packing = argument;
+    int count = packing->scene->face_count;
+    for (;;) {
+        pthread_mutex_lock(&packing->lock);
+        int first = packing->next, end = count - first < EACH ? count : first + EACH;
+        packing->next = end;
+        pthread_mutex_unlock(&packing->lock);
+        if (first == count)
+            return;
+        for (int i = first; i < end; i++)
+            pack_face(packing->packed, packing->scene, packing->closed, packing->order ? packing->order[i] : i, i);
+    }
+}
+
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order, int threads,
                        Precision precision, Precision wide, Error *error)
 {
     *packed = (DeviceScene){0};
@@ -208,8 +239,10 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned c
         !reals_allocate(&packed->view, 2, VIEW_REALS, precision, error))
         return false;
 
-    for (int i = 0; i < scene->face_count; i++)
-        pack_face(packed, scene, closed, order ? order[i] : i, i);
+    Packing packing = {.packed = packed, .scene = scene, .closed = closed, .order = order};
+    pthread_mutex_init(&packing.lock, NULL);
+    parallel_run(scene->face_count < MIN_PARALLEL ? 1 : parallel_threads(threads), pack_faces, &packing);
+    pthread_mutex_destroy(&packing.lock);
     for (int i = 0; i < scene->light_count; i++)
         pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
     for (int i = 0; i < scene->material_count; i++)

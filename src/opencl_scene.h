@@ -22,9 +22,9 @@ typedef struct DeviceScene {
 } DeviceScene;
 
 /* Packs the scene, its faces in the given order (NULL: as they are), those marked in `closed` (by their place in the scene; NULL:
- * none) as faces of closed boxes, planes in the precision `wide`, the other rows in
- * `precision`. device_scene_free frees the copy, also after a failure. */
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order,
+ * none) as faces of closed boxes, planes in the precision `wide`, the other rows in `precision`; on so many threads (0: one per
+ * processor). device_scene_free frees the copy, also after a failure. */
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order, int threads,
                        Precision precision, Precision wide, Error *error);
 void device_scene_free(DeviceScene *packed);
 

@@ -64,7 +64,8 @@ static bool upload(OpenclSession *session, const Scene *scene, const RenderSetti
     DeviceScene packed;
     Precision wide = session->wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT;
     size_t faces = (size_t)scene->face_count;
-    bool ok = device_scene_pack(&packed, scene, closed, accel->bvh.order, session->precision, wide, error) &&
+    bool ok = device_scene_pack(&packed, scene, closed, accel->bvh.order, settings->threads, session->precision,
+                                wide, error) &&
               (on_device->parameters = buffer_of(session, NULL, 0, sizeof(Parameters), error)) &&
               (on_device->faces = buffer_of(session, packed.faces, faces, sizeof(FaceRecord), error)) &&
               (on_device->edges = buffer_of_reals(session, &packed.edges, error)) &&

@@ -28,7 +28,7 @@ static void light_position_should_travel_in_two_floats(void)
 {
     Vec3 at = vec3(-1.6, 0.825, 4.6);
     small_scene_light(&small, at);
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
     const float *row = floats(&packed.lights);
     assert_split(at.x, row + LIGHT_POSITION, row + LIGHT_POSITION_LOW);
     assert_split(at.y, row + LIGHT_POSITION + 1, row + LIGHT_POSITION_LOW + 1);
@@ -39,7 +39,7 @@ static void normal_should_travel_in_two_floats_within_its_error(void)
 {
     small_scene_material(&small, (Material){.reflection = 0});
     small_scene_face(&small, 0, face_triangle(vec3(6, 0, 0), vec3(0, 3, 0), vec3(0, 0, 3)));
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
     const float *row = floats(&packed.planes);
     const double exact[] = {1.0 / 3, 2.0 / 3, 2.0 / 3};
     for (int axis = 0; axis < 3; axis++) {
@@ -52,7 +52,7 @@ static void normal_should_travel_in_two_floats_within_its_error(void)
 static void double_rows_should_need_no_low_parts(void)
 {
     small_scene_light(&small, vec3(-1.6, 0.825, 4.6));
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, PRECISION_DOUBLE, PRECISION_DOUBLE, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_DOUBLE, PRECISION_DOUBLE, &error), error.text);
     const double *row = packed.lights.data;
     ASSERT_VEC3_WITHIN(0, -1.6, 0.825, 4.6, vec3(row[LIGHT_POSITION], row[LIGHT_POSITION + 1], row[LIGHT_POSITION + 2]));
     for (int axis = 0; axis < 3; axis++)
@@ -61,7 +61,7 @@ static void double_rows_should_need_no_low_parts(void)
 
 static void scene_of_nothing_should_pack(void)
 {
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
     TEST_ASSERT_GREATER_THAN(0, reals_bytes(&packed.lights));
     TEST_ASSERT_GREATER_THAN(0, reals_bytes(&packed.planes));
 }
