@@ -1,5 +1,6 @@
-/* One beam that holds those of a whole group of pixels: what it is clear of, each pixel's is clear of, for its slacks are more
- * than all their doubts. Nearly all faces and boxes are left out here, in real, all edges or corners at once. */
+/* One beam that holds those of a whole group of pixels. What it is clear of, the reference finds each pixel clear of: the slacks
+ * are more than all doubts there and all rounding here, though less than beam.cl's for a lane in float. Nearly all faces and
+ * boxes are left out here, in real, all edges or corners at once. */
 
 #if ADAPTIVE
 
@@ -24,7 +25,7 @@ static WholeBeam whole_beam(const Shading *s, const Beam *b)
     Point uv = point_cross(u, v), vc = point_cross(v, c), cu = point_cross(c, u);
     int sign = point_dot(uv, b->c0) < 0 ? -1 : 1;
     wide us = point_magnitudes(u), vs = point_magnitudes(v), cs = point_magnitudes(c), crossed = us * vs + vs * cs + cs * us;
-    wide farthest = 2 * b->size + s->view[VIEW_FARTHEST], slack = WIDE_SLACK + REAL_SLACK;
+    wide farthest = 2 * b->size + s->view[VIEW_FARTHEST];
     WholeBeam whole;
     whole.size = (real)b->size;
     real_row(b->apex, whole.apex);
@@ -34,8 +35,8 @@ static WholeBeam whole_beam(const Shading *s, const Beam *b)
     real_row(c, whole.c);
     real_row(u, whole.u);
     real_row(v, whole.v);
-    whole.side_slack = (real)(8 * REAL_ROUNDING * crossed + 4 * slack * b->extent[0] * b->extent[1] * b->width * b->length);
-    whole.moment_slack = (real)(16 * REAL_ROUNDING * (cs + us + vs) + 2 * REAL_SLACK * b->length);
+    whole.side_slack = (real)(12 * REAL_ROUNDING * crossed + 4 * WIDE_SLACK * b->extent[0] * b->extent[1] * b->width * b->length);
+    whole.moment_slack = (real)(16 * REAL_ROUNDING * (cs + us + vs));
     whole.direction_slack = 2 * whole.size * whole.moment_slack + (real)(2 * WIDE_SLACK * farthest * b->length);
     whole.height_slack = (real)((8 * REAL_ROUNDING + WIDE_SLACK) * farthest);
     return whole;
