@@ -69,7 +69,8 @@ INLINE int face_vertex_count(const Geometry *g, int face)
 typedef struct BeamLanes {
     WideVec c;
     Vec real_c;
-    Lanes length;
+    Lanes length;      /* as in beam.h */
+    Lanes real_length; /* of the direction alone, as it is */
 } BeamLanes;
 
 typedef struct Beam {
@@ -92,7 +93,7 @@ INLINE void beam_bounds(Beam *b)
     EACH_PACKET(k) {
         BeamLanes *lanes = b->lanes + k;
         lanes->real_c = vec_to_real(lanes->c);
-        lanes->length = TO_REAL(wide_magnitudes(lanes->c) + b->width);
+        lanes->length = lanes->real_length = TO_REAL(wide_magnitudes(lanes->c) + b->width);
     }
 }
 
@@ -135,6 +136,7 @@ NOINLINE void beam_from_point(const Geometry *g, const Beam *beam, int face, Poi
     }
     b->size = point_magnitudes(x);
     b->width = grown * beam->width;
+    wide sides = point_magnitudes(b->u) + point_magnitudes(b->v);
     b->length = grown * beam->length;
     b->mirrored = false;
     EACH_PACKET(k) {
@@ -142,22 +144,24 @@ NOINLINE void beam_from_point(const Geometry *g, const Beam *beam, int face, Poi
         b->lanes[k].c = wide_add(wide_scale(-wide_times(n, c), wide_point(from_x)), wide_scale((Wide)height, c));
         b->lanes[k].real_c = vec_to_real(b->lanes[k].c);
         b->lanes[k].length = (real)grown * beam->lanes[k].length;
+        b->lanes[k].real_length = TO_REAL(wide_magnitudes(b->lanes[k].c) + sides);
     }
 }
 
 /* --- Linear functions of the direction --- */
 
-/* w.d over a beam: between w.c -+ extent, and in doubt by `doubt` for each unit of a lane's length. */
+/* w.d over a beam: between w.c -+ extent, and in doubt by `doubt` for each unit of a lane's length, and by `rounding`, that to real,
+ * for each unit of its direction. */
 typedef struct Linear {
     real x, y, z;
-    real extent, doubt;
+    real extent, doubt, rounding;
 } Linear;
 
 /* Where w is known but for `error`. */
 INLINE Linear linear_over(const Beam *b, Point w, wide error)
 {
     Linear f = {(real)w.x, (real)w.y, (real)w.z, (real)(fabs(point_dot(w, b->u)) + fabs(point_dot(w, b->v))),
-                (real)(error + REAL_SLACK * point_magnitudes(w))};
+                (real)error, (real)(REAL_SLACK * point_magnitudes(w))};
     return f;
 }
 
@@ -165,6 +169,8 @@ INLINE Lanes along_c(const BeamLanes *b, const Linear *f)
 {
     return f->x * b->real_c.x + f->y * b->real_c.y + f->z * b->real_c.z;
 }
+
+INLINE Lanes doubt_of(const BeamLanes *b, const Linear *f) { return f->doubt * b->length + f->rounding * b->real_length; }
 
 typedef struct BeamPlane {
     Point q;
@@ -200,7 +206,7 @@ INLINE bool farther_plane(const Beam *beam, const BeamPlane *a, const BeamPlane 
 
 INLINE Mask is_negative(const BeamLanes *b, const Linear *f)
 {
-    return IS(along_c(b, f) + f->extent < -(f->doubt * b->length));
+    return IS(along_c(b, f) + f->extent < -doubt_of(b, f));
 }
 
 /* --- Edges --- */
@@ -240,8 +246,8 @@ NOINLINE void beam_sides(const Geometry *g, const Beam *b, BeamFace *f)
         wide error = WIDE_SLACK * (b->size + point_magnitudes(p));
         f->l[k] = sign * (real)point_dot(uv, p);
         Linear across = {sign * (real)pv.x, sign * (real)pv.y, sign * (real)pv.z, 0,
-                         (real)(error * b->width) + REAL_SLACK * (real)(point_magnitudes(pv) + point_magnitudes(up))};
-        Linear down = {sign * (real)up.x, sign * (real)up.y, sign * (real)up.z, 0, across.doubt};
+                         (real)(error * b->width), REAL_SLACK * (real)(point_magnitudes(pv) + point_magnitudes(up))};
+        Linear down = {sign * (real)up.x, sign * (real)up.y, sign * (real)up.z, 0, across.doubt, across.rounding};
         f->across[k] = across;
         f->down[k] = down;
     }
@@ -257,7 +263,7 @@ INLINE Mask is_beyond(const BeamLanes *b, const BeamFace *f, const Linear *coord
     Mask beyond[2] = {(Mask)-1, (Mask)-1};
     Lanes low[2] = {(Lanes)0, (Lanes)0}, high[2] = {(Lanes)(real)INFINITY, (Lanes)(real)INFINITY};
     for (int k = 0; k < f->count; k++) {
-        Lanes x = along_c(b, coordinate + k), doubt = f->across[k].doubt * b->length, forward = f->l[k] + doubt;
+        Lanes x = along_c(b, coordinate + k), doubt = doubt_of(b, f->across + k), forward = f->l[k] + doubt;
         for (int side = 0; side < 2; side++) {
             Lanes outward = (side ? -x : x) - doubt;
             beyond[side] &= IS(forward < (Lanes)0) | IS(outward > forward);
@@ -286,7 +292,7 @@ NOINLINE BeamCover beam_cover(const Geometry *g, const Beam *beam, int packet, B
     Mask some_left = (Mask)0, some_right = (Mask)0, all_left = (Mask)-1, all_right = (Mask)-1;
     for (int k = 0; k < f->count; k++) {
         const Linear *edge = f->edges + k;
-        Lanes middle = along_c(b, edge), doubt = edge->doubt * b->length;
+        Lanes middle = along_c(b, edge), doubt = doubt_of(b, edge);
         Mask left = IS(middle - edge->extent > doubt), right = IS(middle + edge->extent < -doubt);
         some_left |= left;
         some_right |= right;

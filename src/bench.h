@@ -65,7 +65,7 @@ typedef struct BenchProcess {
     double peak_bytes;
 } BenchProcess;
 
-/* Fills in what the scene itself says of its size and grid. */
+/* Fills in what the scene itself says of its size and grid; of a scene that is sampled adaptively a grid of 1. */
 bool bench_settle(BenchScene *scene, Error *error);
 
 /* Traces the scene after a warm-up, turn by turn with the peer where it is built. */

@@ -182,6 +182,9 @@ static void settle_screen(BenchScene *wanted, Scene *scene)
     }
     if (wanted->grid > 0)
         scene->grid = wanted->grid;
+    else if (scene->adaptive)
+        scene->grid = 1; /* the peers know grids only */
+    scene->adaptive = false;
     wanted->columns = scene->screen.columns;
     wanted->rows = scene->screen.rows;
     wanted->grid = scene->grid;

@@ -168,6 +168,7 @@ static Scene load_small(const char *path, int columns, int rows)
         scene.screen.columns = columns;
         scene.screen.rows = rows;
     }
+    scene.adaptive = false;
     return scene;
 }
 

@@ -174,6 +174,7 @@ static void resize(Scene *scene, int columns, int rows, int grid)
     scene->screen.columns = columns;
     scene->screen.rows = rows;
     scene->grid = grid;
+    scene->adaptive = false;
 }
 
 static void for_each_scene(const char *pattern, void (*test)(const char *path))

@@ -175,6 +175,7 @@ void test_pictures(Suite *suite)
         int side = suite->scale < 0.1 ? 48 : 192;
         scene.screen.columns = scene.screen.rows = side;
         scene.grid = 1;
+        scene.adaptive = false;
         suite->scene = &scene;
         suite_row(suite, "%s, %d x %d", paths[i], side, side);
         Picture expected = render(&scene, REFERENCE);
