@@ -1,4 +1,5 @@
 /* How fast the error falls with the rays that are spent, on edges, against exact coverage. */
+#include "adaptive.h"
 #include "coverage.h"
 #include "reference.h"
 
@@ -76,31 +77,34 @@ static void error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarter
     TEST_ASSERT_TRUE(power >= 0.75);
 }
 
-/* Pixels that are one colour need no more than their centre, and an edge that is anything shows in the first samples of the others,
- * which are the corners among them: the error is the grid's. */
-static void adaptive_error_should_be_that_of_the_grid_and_fall_with_it_for_fewer_rays(void)
+/* Pixels that are one colour need no more than their centre, and a lattice is no worse than a grid of as many samples, but for a
+ * quarter more where edges run in all directions. */
+static void adaptive_error_should_fall_likewise_and_be_that_of_a_grid_of_as_many_samples(void)
 {
-    double last = HUGE_VAL;
-    fan(9);
-    for (int i = 1; i < GRIDS; i++) {
+    enum { COUNT = 4 };
+    static const int finest[COUNT] = {2, 8, 16, 32}, same[COUNT] = {2, 4, 8, 16}; /* 4, 16, 64 and 256 samples */
+    double log_samples[COUNT], log_error[COUNT];
+    fan(33);
+    for (int i = 0; i < COUNT; i++) {
         small.scene.adaptive = false;
-        report = (RenderReport){0};
-        double uniform = rmse_of_grid(grids[i]);
-        uint64_t rays = report.rays.primary;
+        double uniform = rmse_of_grid(same[i]);
         small.scene.adaptive = true;
-        report = (RenderReport){0};
-        double adaptive = rmse_of_grid(grids[i]);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-12, uniform, adaptive);
-        TEST_ASSERT_TRUE(adaptive < last);
-        TEST_ASSERT_TRUE(report.rays.primary < rays);
-        last = adaptive;
+        double adaptive = rmse_of_grid(finest[i]);
+        TEST_ASSERT_EQUAL_INT(same[i] * same[i], adaptive_samples(finest[i]));
+        TEST_ASSERT_TRUE(adaptive < 1.3 * uniform);
+        log_samples[i] = log(adaptive_samples(finest[i]));
+        log_error[i] = log(adaptive);
+        TEST_ASSERT_TRUE_MESSAGE(i == 0 || log_error[i] < log_error[i - 1], "more samples have a larger error");
     }
+    double power = -slope(log_samples, log_error, COUNT);
+    printf("the error of lattices falls as their samples to the power of -%.3f\n", power);
+    TEST_ASSERT_TRUE(power >= 0.75);
 }
 
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(adaptive_error_should_be_that_of_the_grid_and_fall_with_it_for_fewer_rays);
+    RUN_TEST(adaptive_error_should_fall_likewise_and_be_that_of_a_grid_of_as_many_samples);
     RUN_TEST(error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarters);
     return UNITY_END();
 }
