@@ -235,9 +235,9 @@ $(BUILD)/tests/unity.o: $(UNITY_DIR)/unity.c
 
 # What does not fit into .ci/run, for a night: the suites at length, and the programs that watch every access.
 .PHONY: soak
-soak: ## hours of tests: the suites at length, stress, mutants, random scenes, fuzz, oclgrind, valgrind, coverage
+soak: ## hours of tests: the suites at length, lint, stress, mutants, random scenes, fuzz, oclgrind, valgrind, coverage
 	@RECTRAY_SOAK=1 $(MAKE) --no-print-directory test
-	@$(MAKE) --no-print-directory stress mutants oclgrind valgrind coverage
+	@$(MAKE) --no-print-directory lint stress mutants oclgrind valgrind coverage
 	@$(MAKE) --no-print-directory random-scenes COUNT=10000
 	@$(MAKE) --no-print-directory fuzz SECONDS=1800
 

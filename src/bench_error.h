@@ -13,7 +13,7 @@ typedef enum ErrorSeries {
     SERIES_FLOAT,     /* the OpenCL backend in float, grid by grid */
     SERIES_DOUBLE,    /* the same in double */
     SERIES_REFERENCE, /* the reference tracer, grid by grid */
-    SERIES_ADAPTIVE,  /* float, adaptive up to one grid after another */
+    SERIES_ADAPTIVE,  /* float, adaptive for one N after another */
     SERIES_ADAPTIVE_DOUBLE,
     SERIES_ADAPTIVE_REFERENCE,
     SERIES_BOUNCES,   /* float, grid 4, fewer bounces than the scene allows */
@@ -26,7 +26,7 @@ typedef struct ErrorChoice {
     Precision precision;
     AccelKind accel;
     int grid;
-    bool adaptive; /* the grid only where a pixel needs it */
+    bool adaptive; /* more than a ray only where a pixel needs it */
     int bounces;
     char name[48];
     int runs;  /* 0: not measured, it would have taken too long */

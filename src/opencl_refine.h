@@ -1,4 +1,4 @@
-/* Adaptive sampling on a device: of a band whose centres are rendered, the pixels that need more get their grid.
+/* Adaptive sampling on a device: of a band whose centres are rendered, the pixels that need more get their samples.
  * Floor 4, below opencl.h. */
 #ifndef RECTRAY_OPENCL_REFINE_H
 #define RECTRAY_OPENCL_REFINE_H

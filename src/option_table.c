@@ -302,7 +302,7 @@ const Option option_table[] = {
     {"grid", 'g', "N", "render trace bench", set_grid, "a whole number from 1 to 16",
      "N x N rays per pixel, instead of the scene's"},
     {"sampling", 0, "HOW", "render trace", set_sampling, "uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16",
-     "uniform:N as --grid; adaptive[:N]: as N x N (8 x 8) where needed"},
+     "uniform:N as --grid; adaptive[:N]: 16 rays (N = 8) where needed"},
     {"map", 0, "KIND FILE", "render", set_map, "rays, time, depth, normal or face, and the name of a file",
      "draw what the pixels cost or show: rays, time, depth, normal or face"},
     {"bounces", 0, "N", "render trace", set_bounces, "a whole number from 0 to 64",

@@ -25,7 +25,7 @@ typedef struct Walkthrough {
     const Scene *scene;     /* borrowed */
     const char *scene_name; /* borrowed; as the user gave it */
     WalkRequest request;
-    int grid;               /* the pixel has grid x grid samples: under adaptive sampling, one may be enough */
+    int grid;               /* the pixel has grid x grid samples; refined by adaptive sampling, grid of them */
     Event *events;
     long count, capacity;
     /* While recording: */

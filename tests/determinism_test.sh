@@ -1,6 +1,6 @@
 #!/bin/sh
 # The same bytes each time: on any number of threads, on both backends and in both precisions, and in double with any
-# number of lanes. A process of its own for each picture: an OpenCL driver takes its number of threads once.
+# number of lanes; sampled adaptively, too. A process of its own for each picture: an OpenCL driver takes its number of threads once.
 set -u
 
 rectray=${RECTRAY:-build/rectray}
@@ -44,6 +44,10 @@ each tree --threads "$threads" --precision float --accel bvh
 each double --lanes "1 4 8 16" --precision double
 each double --lanes "1 4 8 16" --precision double --accel bvh
 each double --lanes "1 4 8 16" --precision double --accel kdtree
+each adaptive --threads "$threads" --backend reference --sampling adaptive:4
+each adaptive --threads "$threads" --precision double --sampling adaptive:4
+each adaptive --lanes "1 4 8 16" --precision double --sampling adaptive:4 --accel bvh
+each adaptive_float --threads "$threads" --precision float --sampling adaptive:4
 again=$(yes 2 | head -n $runs)
 each double --threads "$again" --backend reference
 each double --threads "$again" --precision double
