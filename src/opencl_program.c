@@ -95,7 +95,7 @@ static void write_options(const OpenclSession *session, Variant variant, RenderR
     char *options = report->build_options;
     size_t room = sizeof report->build_options, used = strlen(options);
     snprintf(options + used, room - used, "%s%s", session->linear ? " -DLINEAR=1" : "",
-                             session->adaptive ? " -DADAPTIVE=1" : "");
+             session->adaptive ? " -DADAPTIVE=1" : "");
 }
 
 static CacheKey key_of(const OpenclSession *session, const Sources *sources, const char *name, const char *options)
