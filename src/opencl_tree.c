@@ -3,39 +3,83 @@
 
 #include "../kernels/layout.h"
 
+#include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 enum { MAX_WIDTH = 16, SMALLEST_STACK = 64 };
 
-/* The place in the list of the inner node with the largest box; -1: all are leaves. */
-static int largest_inner(const Bvh *bvh, const int *list, int count)
+/* Which nodes of the binary tree a wide node takes in, so that a random line meets the fewest wide nodes: the sum of their
+ * areas is the least there is (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", 2017,
+ * section 3.1; all leaves are met as often whatever the cut).
+ * A subtree gets some of the `width` places of the wide node above it. Into one place goes its root, as a leaf or a wide node of
+ * its own; more are shared between the root's two children. shares: 4 bits for each number of places, from 1 on, how
+ * many of them the first child gets, or 0: the root takes one. At `width` places they are the root's own, as a wide node. */
+typedef struct Cut {
+    const Bvh *bvh;
+    uint64_t *shares; /* one per node of the binary tree, set for the inner ones */
+    int width;
+} Cut;
+
+/* The least areas of the wide nodes in a subtree, by the places that it gets: fewer than the width. From as many as it has leaves
+ * on there are none. */
+typedef struct CutCosts {
+    double area[MAX_WIDTH];
+    int leaves; /* up to the width */
+} CutCosts;
+
+/* Shares so many places between two children. *first: what the first one gets. */
+static double share(const CutCosts *left, const CutCosts *right, int places, int *first)
 {
-    int largest = -1;
-    double most = -1;
-    for (int i = 0; i < count; i++) {
-        const BvhNode *node = &bvh->nodes[list[i]];
-        if (node->count == 0 && box_half_area(node->box) > most) {
-            most = box_half_area(node->box);
-            largest = i;
+    *first = places - 1 < left->leaves ? places - 1 : left->leaves;
+    if (places >= left->leaves + right->leaves)
+        return 0;
+    double least = HUGE_VAL;
+    for (int k = places > right->leaves ? places - right->leaves : 1; k < places && k <= left->leaves; k++) {
+        double area = left->area[k] + right->area[places - k];
+        if (area < least) {
+            least = area;
+            *first = k;
         }
     }
-    return largest;
+    return least;
 }
 
-/* The up to `width` nodes of the binary tree that become the children of one wide node. */
-static int gather(const Bvh *bvh, int root, int width, int *list)
+static void cut_subtree(Cut *cut, int node, CutCosts *costs)
 {
-    int count = 1;
-    list[0] = root;
-    while (count < width) {
-        int open = largest_inner(bvh, list, count);
-        if (open < 0)
-            break;
-        int node = list[open];
-        list[open] = node + 1;
-        list[count++] = bvh->nodes[node].first;
+    const BvhNode *root = &cut->bvh->nodes[node];
+    costs->area[1] = 0;
+    costs->leaves = 1;
+    if (root->count > 0)
+        return;
+    CutCosts left, right;
+    cut_subtree(cut, node + 1, &left);
+    cut_subtree(cut, root->first, &right);
+    int width = cut->width, first;
+    costs->leaves = left.leaves + right.leaves < width ? left.leaves + right.leaves : width;
+    double alone = box_half_area(root->box) + share(&left, &right, width, &first);
+    costs->area[1] = alone;
+    uint64_t shares = (uint64_t)first << 4 * (width - 1);
+    for (int places = 2; places < width; places++) {
+        double shared = share(&left, &right, places, &first);
+        costs->area[places] = shared <= alone ? shared : alone;
+        if (shared <= alone)
+            shares |= (uint64_t)first << 4 * (places - 1);
     }
-    return count;
+    cut->shares[node] = shares;
+}
+
+/* Adds to the list the nodes of the binary tree that fill so many places for the subtree; returns how many are in it. */
+static int gather(const Cut *cut, int node, int places, int *list, int count)
+{
+    const BvhNode *root = &cut->bvh->nodes[node];
+    int first = root->count > 0 ? 0 : (int)(cut->shares[node] >> 4 * (places - 1) & 15);
+    if (first == 0) {
+        list[count] = node;
+        return count + 1;
+    }
+    count = gather(cut, node + 1, first, list, count);
+    return gather(cut, root->first, places - first, list, count);
 }
 
 static void put_box(DeviceTree *tree, int node, int child, const Box *box)
@@ -48,19 +92,19 @@ static void put_box(DeviceTree *tree, int node, int child, const Box *box)
 }
 
 /* How many wide nodes there will be. */
-static size_t count_nodes(const Bvh *bvh, int root, int width)
+static size_t count_nodes(const Cut *cut, int root)
 {
     int list[MAX_WIDTH];
-    int count = gather(bvh, root, width, list);
+    int count = gather(cut, root, cut->width, list, 0);
     size_t nodes = 1;
     for (int i = 0; i < count; i++)
-        if (bvh->nodes[list[i]].count == 0)
-            nodes += count_nodes(bvh, list[i], width);
+        if (cut->bvh->nodes[list[i]].count == 0)
+            nodes += count_nodes(cut, list[i]);
     return nodes;
 }
 
 typedef struct Collapse {
-    const Bvh *bvh;
+    const Cut *cut;
     DeviceTree *tree;
     int node_count;
     int depth; /* of the deepest node; the root's is 1 */
@@ -71,7 +115,7 @@ static int collapse(Collapse *c, int root, int depth)
 {
     const Box nothing = box_empty();
     int list[MAX_WIDTH], width = c->tree->node_width;
-    int count = gather(c->bvh, root, width, list);
+    int count = gather(c->cut, root, width, list, 0);
     int node = c->node_count++;
     if (depth > c->depth)
         c->depth = depth;
@@ -82,7 +126,7 @@ static int collapse(Collapse *c, int root, int depth)
             *child = NO_CHILD;
             continue;
         }
-        const BvhNode *inner = &c->bvh->nodes[list[i]];
+        const BvhNode *inner = &c->cut->bvh->nodes[list[i]];
         put_box(c->tree, node, i, &inner->box);
         *child = inner->count > 0 ? LEAF(inner->first, inner->count) : collapse(c, list[i], depth + 1);
     }
@@ -109,17 +153,28 @@ static int stack_for(int needed)
     return size;
 }
 
-/* Collapses the binary tree: a node takes in the children of its largest child until it has `width`. */
-static bool pack_bvh(DeviceTree *tree, const Bvh *bvh, int width, Error *error)
+static bool pack_cut(DeviceTree *tree, const Cut *cut, Error *error)
 {
-    size_t places = count_nodes(bvh, 0, width) * (size_t)width;
-    tree->node_width = width;
+    size_t places = count_nodes(cut, 0) * (size_t)cut->width;
+    tree->node_width = cut->width;
     if (!allocate(tree, 6 * places, places, error))
         return false;
-    Collapse c = {.bvh = bvh, .tree = tree};
+    Collapse c = {.cut = cut, .tree = tree};
     collapse(&c, 0, 1);
-    tree->stack_size = stack_for(1 + c.depth * (width - 1));
+    tree->stack_size = stack_for(1 + c.depth * (cut->width - 1));
     return true;
+}
+
+static bool pack_bvh(DeviceTree *tree, const Bvh *bvh, int width, Error *error)
+{
+    Cut cut = {bvh, malloc(2 * (size_t)bvh->face_count * sizeof *cut.shares), width};
+    if (!cut.shares)
+        return error_memory(error, "the tree for the device");
+    CutCosts costs;
+    cut_subtree(&cut, 0, &costs);
+    bool ok = pack_cut(tree, &cut, error);
+    free(cut.shares);
+    return ok;
 }
 
 static bool pack_kdtree(DeviceTree *tree, const KdTree *kdtree, Error *error)
