@@ -27,6 +27,7 @@ typedef struct Slab {
 typedef struct Bundle {
     Slab slabs[3];
     real reach; /* no ray of the bundle goes farther than this */
+    int left_out[3]; /* for each axis: the SIDE_KEY of the sides of closed boxes that need not be asked */
 } Bundle;
 
 #define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING)) /* more than the rounding of what follows could take away */
@@ -48,6 +49,24 @@ INLINE Slab slab(real origin_low, real origin_high, real low, real high)
     return s;
 }
 
+INLINE void bundle_ask_all_sides(Bundle *b)
+{
+    for (int axis = 0; axis < 3; axis++)
+        b->left_out[axis] = NO_SIDE_KEY;
+}
+
+/* Leaves out the sides of closed boxes that all rays, outside of them, meet after another side: what is a back to all of them.
+ * `towards`, as see_face: the rays travel against the bundle, and of what they meet the first side is left out, not the last.
+ * The signs of the bundle's directions are those of the rays themselves, to the last digit. */
+INLINE void bundle_leave_out_sides(Bundle *b, bool towards)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        int sign = b->slabs[axis].sign;
+        if (sign != 0)
+            b->left_out[axis] = SIDE_KEY(2 * axis + ((sign > 0) != towards));
+    }
+}
+
 /* Rays from an apex whose directions are between two, axis by axis. */
 INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high)
 {
@@ -56,6 +75,7 @@ INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high)
     for (int axis = 0; axis < 3; axis++)
         b.slabs[axis] = slab(at[axis] - a->spread, at[axis] + a->spread, low[axis], high[axis]);
     b.reach = REACH_ALL;
+    bundle_ask_all_sides(&b);
     return b;
 }
 
@@ -88,6 +108,7 @@ INLINE Bundle bundle_of(const Line *l, Mask active)
     b.slabs[1] = slab(lowest(l->origin.y, active), highest(l->origin.y, active), lowest(l->scaled.y, active), highest(l->scaled.y, active));
     b.slabs[2] = slab(lowest(l->origin.z, active), highest(l->origin.z, active), lowest(l->scaled.z, active), highest(l->scaled.z, active));
     b.reach = REACH_ALL;
+    bundle_ask_all_sides(&b);
     return b;
 }
 

@@ -22,16 +22,23 @@ INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
     stack->enter[i] = enter;
 }
 
-/* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. */
-INLINE uint children_met(const Tree *tree, const Bundle *b, int node, int part, Lanes *enter)
+/* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. left_out: those of them that
+ * it need not. */
+INLINE uint children_met(const Tree *tree, const Bundle *b, int node, int part, Lanes *enter, uint *left_out)
 {
+    IntLanes children = LOAD(tree->ints + (size_t)node * NODE_WIDTH + part), key = LEAF_KEY(children);
+    Mask back = INTS_TO_MASK(IS(key == (IntLanes)b->left_out[0]) | IS(key == (IntLanes)b->left_out[1]) |
+                             IS(key == (IntLanes)b->left_out[2]));
+    Mask none = INTS_TO_MASK(IS(children == (IntLanes)NO_CHILD));
     global const float *boxes = tree->floats + (size_t)node * (6 * NODE_WIDTH) + part;
     Lanes leave = (Lanes)b->reach;
     *enter = (Lanes)0;
     for (int axis = 0; axis < 3; axis++)
         cross_slab(b->slabs[axis], LOAD_FLOATS(boxes + 2 * axis * NODE_WIDTH), LOAD_FLOATS(boxes + (2 * axis + 1) * NODE_WIDTH),
                    enter, &leave);
-    return mask_bits(IS(*enter <= GROWN(leave)));
+    Mask met = IS(*enter <= GROWN(leave)) & ~none;
+    *left_out = mask_bits(met & back);
+    return mask_bits(met & ~back);
 }
 
 /* Does the bundle miss all that is in the tree? */
@@ -39,9 +46,9 @@ INLINE bool misses_all(const Tree *tree, const Bundle *b)
 {
     for (int part = 0; part < NODE_WIDTH; part += LANES) {
         Lanes enter;
-        for (uint met = children_met(tree, b, 0, part, &enter); met; met &= met - 1)
-            if (tree->ints[part + lowest_bit(met)] != NO_CHILD)
-                return false;
+        uint left_out;
+        if (children_met(tree, b, 0, part, &enter, &left_out) != 0)
+            return false;
     }
     return true;
 }
@@ -52,14 +59,16 @@ INLINE void fetch_node(const Tree *tree, int node)
     fetch(tree->ints + (size_t)node * NODE_WIDTH, NODE_WIDTH * sizeof(int));
 }
 
-/* Puts the children that the bundle may meet on the stack. */
-INLINE void push_children(const Geometry *g, const Tree *tree, const Bundle *b, int node, Stack *stack)
+/* Puts the children that the bundle may meet on the stack. Returns how many faces it left out. */
+INLINE uint push_children(const Geometry *g, const Tree *tree, const Bundle *b, int node, Stack *stack)
 {
     global const int *children = tree->ints + (size_t)node * NODE_WIDTH;
     int floor = stack->count;
+    uint faces_left_out = 0;
     for (int part = 0; part < NODE_WIDTH; part += LANES) {
         Lanes enter;
-        uint met = children_met(tree, b, node, part, &enter);
+        uint left_out, met = children_met(tree, b, node, part, &enter, &left_out);
+        faces_left_out += popcount(left_out);
         if (!met)
             continue;
         real enters[LANES];
@@ -67,8 +76,6 @@ INLINE void push_children(const Geometry *g, const Tree *tree, const Bundle *b, 
         for (; met; met &= met - 1) {
             int i = lowest_bit(met);
             int child = children[part + i];
-            if (child == NO_CHILD)
-                continue;
             if (child < 0)
                 fetch(g->edges + (size_t)LEAF_FIRST(child) * FACE_REALS, (uint)LEAF_COUNT(child) * FACE_REALS * sizeof(real));
             else
@@ -76,6 +83,7 @@ INLINE void push_children(const Geometry *g, const Tree *tree, const Bundle *b, 
             stack_insert(stack, floor, child, enters[i]);
         }
     }
+    return faces_left_out;
 }
 
 INLINE Stack stack_of(const Tree *tree, const Bundle *b)
@@ -89,8 +97,10 @@ INLINE Stack stack_of(const Tree *tree, const Bundle *b)
 
 INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
 
-/* The next leaf that the bundle meets, nearest first: its faces are first .. first + count - 1. False: there is none. */
-INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *counters)
+/* The next leaf that the bundle, of so many rays, meets, nearest first: its faces are first .. first + count - 1. False: there is
+ * none. */
+INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, uint rays, Stack *stack, int *first, int *count,
+                      Counters *counters)
 {
     while (stack->count > 0) {
         int node = stack->node[--stack->count];
@@ -102,7 +112,7 @@ INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, Stac
             return true;
         }
         counters->kinds[COUNT_BOX_TESTS] += NODE_WIDTH;
-        push_children(g, tree, b, node, stack);
+        counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += rays * push_children(g, tree, b, node, stack);
     }
     return false;
 }

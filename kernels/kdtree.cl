@@ -79,7 +79,8 @@ INLINE int face_in_leaf(const Tree *tree, int i) { return tree->ints[tree->ints[
 
 /* The next leaf that the bundle meets, nearest first: its faces are those of first .. first + count - 1. False: there is
  * none. */
-INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *counters)
+INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, uint rays, Stack *stack, int *first, int *count,
+                      Counters *counters)
 {
     while (stack->count > 0) {
         stack->count--;

@@ -102,11 +102,15 @@ enum {
     VIEW_REALS = 20
 };
 
-/* A child of a tree's node is another node's number, or the faces of a leaf, or nothing. */
-enum { NO_CHILD = -2147483647 - 1, LEAF_BITS = 4, LEAF_MAX = (1 << LEAF_BITS) - 1 };
+/* A child of a tree's node is another node's number, or the faces of a leaf, or nothing. A leaf has up to LEAF_MAX faces, or one
+ * side of a closed box: 2 axis for the low one, one more for the high one. The key of such a leaf says nothing but the side. */
+enum { NO_CHILD = -2147483647 - 1, LEAF_BITS = 4, LEAF_MASK = (1 << LEAF_BITS) - 1, LEAF_MAX = 8, NO_SIDE_KEY = -1 };
 #define LEAF(first, count) (~(((first) << LEAF_BITS) | (count)))
+#define SIDE_LEAF(first, side) LEAF(first, LEAF_MAX + 1 + (side))
 #define LEAF_FIRST(child) (~(child) >> LEAF_BITS)
-#define LEAF_COUNT(child) (~(child) & LEAF_MAX)
+#define LEAF_COUNT(child) ((~(child) & LEAF_MASK) <= LEAF_MAX ? ~(child) & LEAF_MASK : 1)
+#define LEAF_KEY(child) ((child) & (NO_CHILD | LEAF_MASK))
+#define SIDE_KEY(side) LEAF_KEY(SIDE_LEAF(0, side))
 
 /* A node of a k-d tree. The low child of an inner node is the node after it. */
 enum {

@@ -10,11 +10,13 @@ INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets) { r
 INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high) { return 0; }
 INLINE Bundle bundle_of(const Line *l, Mask active) { return 0; }
 INLINE void bundle_shorten(Bundle *b, real reach) {}
+INLINE void bundle_leave_out_sides(Bundle *b, bool towards) {}
 INLINE Stack stack_of(const Tree *tree, const Bundle *b) { return 1; }
 INLINE bool misses_all(const Tree *tree, const Bundle *b) { return false; }
 INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
 
-INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, Stack *stack, int *first, int *count, Counters *c)
+INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, uint rays, Stack *stack, int *first, int *count,
+                      Counters *c)
 {
     *first = 0;
     *count = g->face_count;
@@ -60,8 +62,10 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
     }
     if (lanes == 0)
         return true;
+    if (outside)
+        bundle_leave_out_sides(&b, false);
     Stack stack = stack_of(tree, &b);
-    for (int first, count; next_leaf(g, tree, &b, &stack, &first, &count, counters);) {
+    for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
         asked += (uint)count;
         for (int k = first; k < first + count; k++) {
             int i = face_in_leaf(tree, k);
@@ -152,8 +156,10 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
     }
     Bundle b = bundle_from(a, pencils, PACKETS);
     bundle_shorten(&b, 1 / nearest_end);
+    if (outside)
+        bundle_leave_out_sides(&b, true);
     Stack stack = stack_of(tree, &b);
-    for (int first, count; asked <= budget && next_leaf(g, tree, &b, &stack, &first, &count, counters);) {
+    for (int first, count; asked <= budget && next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
         asked += (uint)count;
         for (int k = first; k < first + count; k++) {
             int i = face_in_leaf(tree, k);
@@ -232,7 +238,7 @@ static Hit find_nearest_apart(const Geometry *g, const Tree *tree, const Ray *ra
     uint lanes = mask_count(active);
     Bundle b = bundle_of(&l, active);
     Stack stack = stack_of(tree, &b);
-    for (int first, count; next_leaf(g, tree, &b, &stack, &first, &count, counters);) {
+    for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
         bool nearer = false;
         for (int k = first; k < first + count; k++)
             nearer |= ask_nearest(g, &l, ray, active, face_in_leaf(tree, k), &nearest);

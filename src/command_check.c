@@ -110,7 +110,7 @@ static bool print_skippable_boxes(const Scene *scene, int *printed, Error *error
     skip_closed_boxes(scene, closed);
     int faces = 0;
     for (int i = 0; i < scene->face_count; i++)
-        faces += closed[i];
+        faces += closed[i] != 0;
     free(closed);
     if (faces > 0)
         *printed += printf("  every other of the %d faces of closed boxes, for the camera and for each light\n", faces);

@@ -105,10 +105,17 @@ static size_t count_nodes(const Cut *cut, int root)
 
 typedef struct Collapse {
     const Cut *cut;
+    const unsigned char *closed;
     DeviceTree *tree;
     int node_count;
     int depth; /* of the deepest node; the root's is 1 */
 } Collapse;
+
+static int leaf(const Collapse *c, const BvhNode *node)
+{
+    int side = c->closed ? c->closed[c->cut->bvh->order[node->first]] - 1 : -1;
+    return node->count == 1 && side >= 0 ? SIDE_LEAF(node->first, side) : LEAF(node->first, node->count);
+}
 
 /* Makes the wide node for a node of the binary tree and all below it; returns its number. */
 static int collapse(Collapse *c, int root, int depth)
@@ -128,7 +135,7 @@ static int collapse(Collapse *c, int root, int depth)
         }
         const BvhNode *inner = &c->cut->bvh->nodes[list[i]];
         put_box(c->tree, node, i, &inner->box);
-        *child = inner->count > 0 ? LEAF(inner->first, inner->count) : collapse(c, list[i], depth + 1);
+        *child = inner->count > 0 ? leaf(c, inner) : collapse(c, list[i], depth + 1);
     }
     return node;
 }
@@ -153,26 +160,26 @@ static int stack_for(int needed)
     return size;
 }
 
-static bool pack_cut(DeviceTree *tree, const Cut *cut, Error *error)
+static bool pack_cut(DeviceTree *tree, const Cut *cut, const unsigned char *closed, Error *error)
 {
     size_t places = count_nodes(cut, 0) * (size_t)cut->width;
     tree->node_width = cut->width;
     if (!allocate(tree, 6 * places, places, error))
         return false;
-    Collapse c = {.cut = cut, .tree = tree};
+    Collapse c = {.cut = cut, .closed = closed, .tree = tree};
     collapse(&c, 0, 1);
     tree->stack_size = stack_for(1 + c.depth * (cut->width - 1));
     return true;
 }
 
-static bool pack_bvh(DeviceTree *tree, const Bvh *bvh, int width, Error *error)
+static bool pack_bvh(DeviceTree *tree, const Bvh *bvh, const unsigned char *closed, int width, Error *error)
 {
     Cut cut = {bvh, malloc(2 * (size_t)bvh->face_count * sizeof *cut.shares), width};
     if (!cut.shares)
         return error_memory(error, "the tree for the device");
     CutCosts costs;
     cut_subtree(&cut, 0, &costs);
-    bool ok = pack_cut(tree, &cut, error);
+    bool ok = pack_cut(tree, &cut, closed, error);
     free(cut.shares);
     return ok;
 }
@@ -202,11 +209,11 @@ static bool pack_kdtree(DeviceTree *tree, const KdTree *kdtree, Error *error)
     return true;
 }
 
-bool device_tree_pack(DeviceTree *tree, const Accel *accel, int width, Error *error)
+bool device_tree_pack(DeviceTree *tree, const Accel *accel, const unsigned char *closed, int width, Error *error)
 {
     *tree = (DeviceTree){.node_width = 1, .stack_size = 1};
     if (accel->kind == ACCEL_BVH)
-        return pack_bvh(tree, &accel->bvh, width, error);
+        return pack_bvh(tree, &accel->bvh, closed, width, error);
     if (accel->kind == ACCEL_KDTREE)
         return pack_kdtree(tree, &accel->kdtree, error);
     return true;

@@ -16,8 +16,9 @@ typedef struct DeviceTree {
     int stack_size; /* nodes that a walk may have to remember */
 } DeviceTree;
 
-/* Packs the tree that was built; where there is none, the arrays are empty. `width`: 4 to 16. */
-bool device_tree_pack(DeviceTree *tree, const Accel *accel, int width, Error *error);
+/* Packs the tree that was built; where there is none, the arrays are empty. closed: of skip_closed_boxes, or NULL. `width`: 4 to
+ * 16. */
+bool device_tree_pack(DeviceTree *tree, const Accel *accel, const unsigned char *closed, int width, Error *error);
 void device_tree_free(DeviceTree *tree);
 
 #endif

@@ -36,7 +36,7 @@ static cl_mem buffer_of_reals(OpenclSession *session, const Reals *reals, Error 
     return buffer_of(session, reals->data, 1, reals_bytes(reals), error);
 }
 
-/* One per face: whether it is of a closed box. NULL without memory. */
+/* What skip_closed_boxes says of each face. NULL without memory. */
 static unsigned char *closed_boxes(const Scene *scene, const RenderSettings *settings, Error *error)
 {
     unsigned char *closed = calloc((size_t)scene->face_count + 1, 1);
@@ -55,12 +55,9 @@ static uint64_t device_bytes(const Scene *scene, const DeviceScene *packed, cons
 }
 
 static bool upload(OpenclSession *session, const Scene *scene, const RenderSettings *settings, const Accel *accel,
-                   const DeviceTree *tree, SceneOnDevice *on_device, RenderReport *report, Error *error)
+                   const unsigned char *closed, const DeviceTree *tree, SceneOnDevice *on_device, RenderReport *report, Error *error)
 {
     double start = clock_ms();
-    unsigned char *closed = closed_boxes(scene, settings, error);
-    if (!closed)
-        return false;
     DeviceScene packed;
     Precision wide = session->wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT;
     size_t faces = (size_t)scene->face_count;
@@ -78,20 +75,19 @@ static bool upload(OpenclSession *session, const Scene *scene, const RenderSetti
               (on_device->tree_ints = buffer_of(session, tree->ints, tree->int_count, sizeof(int), error));
     report->device_bytes = device_bytes(scene, &packed, tree);
     device_scene_free(&packed);
-    free(closed);
     report->upload_ms += clock_ms() - start;
     return ok;
 }
 
 static bool build_tree(const OpenclSession *session, const Scene *scene, const RenderSettings *settings, Accel *accel,
-                       DeviceTree *tree, RenderReport *report, Error *error)
+                       const unsigned char *closed, DeviceTree *tree, RenderReport *report, Error *error)
 {
     double start = clock_ms();
     int width = session->lanes > 4 ? session->lanes : 4;
     bool no_tree = settings->accel == ACCEL_AUTO && skip_wanted(settings, SKIP_TREE);
     AccelKind kind = settings->accel == ACCEL_AUTO && !no_tree ? ACCEL_BVH : settings->accel;
     bool ok = accel_build(accel, scene, kind, settings->threads, error) &&
-              device_tree_pack(tree, accel, width, error);
+              device_tree_pack(tree, accel, closed, width, error);
     report->skipped[SKIP_TREE] = ok && no_tree && accel->kind == ACCEL_NONE;
     report->build_ms = clock_ms() - start;
     return ok;
@@ -102,12 +98,14 @@ bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene
 {
     Accel accel = {.kind = ACCEL_NONE};
     DeviceTree tree = {0};
-    bool ok = opencl_open(session, settings, report, error) &&
-              build_tree(session, scene, settings, &accel, &tree, report, error) &&
+    unsigned char *closed = closed_boxes(scene, settings, error);
+    bool ok = closed && opencl_open(session, settings, report, error) &&
+              build_tree(session, scene, settings, &accel, closed, &tree, report, error) &&
               opencl_build(session, name, (Variant){accel.kind, tree.node_width, tree.stack_size}, report, error) &&
-              upload(session, scene, settings, &accel, &tree, on_device, report, error);
+              upload(session, scene, settings, &accel, closed, &tree, on_device, report, error);
     accel_free(&accel);
     device_tree_free(&tree);
+    free(closed);
     return ok;
 }
 

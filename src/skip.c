@@ -166,7 +166,8 @@ static bool is_outside(const Extent *e, Vec3 point)
 
 static double largest_coordinate(Vec3 a) { return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))); }
 
-static bool is_closed_box(const Scene *scene, int first)
+/* sides: gets 1 + side_of each of the six faces. */
+static bool is_closed_box(const Scene *scene, int first, unsigned char *sides)
 {
     const Face *faces = &scene->faces[first];
     Extent e = extent_of(faces);
@@ -177,14 +178,15 @@ static bool is_closed_box(const Scene *scene, int first)
     for (int axis = 0; axis < 3; axis++)
         if (!((double)e.high[axis] - (double)e.low[axis] > LEAST_THICKNESS * scale))
             return false;
-    unsigned sides = 0;
+    unsigned all = 0;
     for (int i = 0; i < BOX_FACES; i++) {
         int side = side_of(&e, &faces[i], &scene->planes[first + i]);
         if (side < 0)
             return false;
-        sides |= 1u << side;
+        sides[i] = (unsigned char)(1 + side);
+        all |= 1u << side;
     }
-    if (sides != 0x3f || !is_outside(&e, eye))
+    if (all != 0x3f || !is_outside(&e, eye))
         return false;
     for (int i = 0; i < scene->light_count; i++)
         if (!is_outside(&e, scene->lights[i].position))
@@ -194,9 +196,10 @@ static bool is_closed_box(const Scene *scene, int first)
 
 void skip_closed_boxes(const Scene *scene, unsigned char *closed)
 {
+    unsigned char sides[BOX_FACES];
     for (int i = 0; i + BOX_FACES <= scene->face_count; i++)
-        if (is_closed_box(scene, i)) {
-            memset(closed + i, 1, BOX_FACES);
+        if (is_closed_box(scene, i, sides)) {
+            memcpy(closed + i, sides, BOX_FACES);
             i += BOX_FACES - 1;
         }
 }

@@ -16,8 +16,10 @@ void setUp(void)
 }
 void tearDown(void) {}
 
+/* closed[i] is i % 7: a side of a closed box, or 0. */
 typedef struct Trees {
     Scene scene;
+    unsigned char closed[FACES];
     Accel accel;
     DeviceTree packed;
 } Trees;
@@ -25,8 +27,10 @@ typedef struct Trees {
 static Trees trees_of(Crowd kind, int faces, int width)
 {
     Trees trees = {.scene = crowd_scene(kind, faces, 23)};
+    for (int i = 0; i < faces; i++)
+        trees.closed[i] = (unsigned char)(i % 7);
     TEST_ASSERT_TRUE(accel_build(&trees.accel, &trees.scene, ACCEL_BVH, 1, &error));
-    TEST_ASSERT_TRUE(device_tree_pack(&trees.packed, &trees.accel, width, &error));
+    TEST_ASSERT_TRUE(device_tree_pack(&trees.packed, &trees.accel, trees.closed, width, &error));
     return trees;
 }
 
@@ -56,6 +60,14 @@ static bool box_holds(Box outer, Box inner)
     return true;
 }
 
+/* Only a leaf of one side of a closed box has that side's key. */
+static void check_key(const Trees *trees, int child)
+{
+    int closed = child < 0 && LEAF_COUNT(child) == 1 ? trees->closed[trees->accel.bvh.order[LEAF_FIRST(child)]] : 0;
+    for (int side = 0; side < 6; side++)
+        TEST_ASSERT_EQUAL_INT(closed == 1 + side, LEAF_KEY(child) == SIDE_KEY(side));
+}
+
 /* Counts each face below a wide node in seen; returns the sum of the areas of the wide nodes. */
 static double check_node(const Trees *trees, int node, Box outer, int *seen)
 {
@@ -68,6 +80,7 @@ static double check_node(const Trees *trees, int node, Box outer, int *seen)
             continue;
         Box box = child_box(tree, node, i);
         TEST_ASSERT_TRUE(box_holds(outer, box));
+        check_key(trees, child);
         box_grow(&whole, &box);
         if (child >= 0) {
             area += check_node(trees, child, box, seen);

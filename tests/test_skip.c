@@ -225,7 +225,7 @@ static int closed_faces(void)
     skip_closed_boxes(&small.scene, closed);
     int count = 0;
     for (int i = 0; i < SMALL_SCENE_MAX; i++)
-        count += closed[i];
+        count += closed[i] != 0;
     return count;
 }
 
