@@ -132,11 +132,37 @@ static int partition(FaceBox *boxes, int count, const Binning *binning, Split sp
     return left;
 }
 
+/* Faces that fill more than this share of a node's surface, where they are at most one in so many, are set apart from the others,
+ * whose boxes would grow to the node's all the way down if they held one of them: the floor below a city. */
+#define LARGE_SHARE 0.5
+enum { LARGE_RARE = 32 };
+
+/* Puts the large boxes first; returns how many they are, 0 where they are not rare. */
+static int part_large(const BvhNode *node, FaceBox *boxes, int count)
+{
+    double large_area = LARGE_SHARE * box_half_area(node->box);
+    int large = 0;
+    for (int i = 0; i < count; i++)
+        large += box_half_area(boxes[i].box) > large_area;
+    if (large * LARGE_RARE > count)
+        return 0;
+    for (int i = 0, place = 0; place < large; i++)
+        if (box_half_area(boxes[i].box) > large_area) {
+            FaceBox swapped = boxes[place];
+            boxes[place++] = boxes[i];
+            boxes[i] = swapped;
+        }
+    return large;
+}
+
 /* How many of the boxes go left; 0: this is a leaf. */
 static int split_node(const BvhNode *node, FaceBox *boxes, int count, int depth)
 {
     if (count == 1 || depth == BVH_MAX_DEPTH - 1)
         return 0;
+    int large = count < LARGE_RARE || depth >= BVH_MAX_DEPTH - 32 ? 0 : part_large(node, boxes, count);
+    if (large > 0)
+        return large;
     Binning binning = binning_of(boxes, count);
     Split split = best_split(&binning, boxes, count);
     double area = box_half_area(node->box);

@@ -63,6 +63,18 @@ static void each_face_should_be_in_one_leaf_and_in_all_boxes_above(void)
     }
 }
 
+static void a_floor_below_many_faces_should_be_set_apart_at_the_root(void)
+{
+    Scene scene = crowd_scene(CROWD_TILES, 200, 17);
+    scene.faces[123] = face_at_height(-50, -50, 50, 50, -1);
+    scene.planes[123] = face_plane(&scene.faces[123]);
+    Bvh bvh = tree_of(&scene, 1);
+    TEST_ASSERT_EQUAL_INT(1, bvh.nodes[1].count);
+    TEST_ASSERT_EQUAL_INT(123, bvh.order[bvh.nodes[1].first]);
+    bvh_free(&bvh);
+    scene_free(&scene);
+}
+
 static void one_face_should_be_a_leaf(void)
 {
     Scene scene = crowd_scene(CROWD_QUADS, 1, 17);
@@ -146,6 +158,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(each_face_should_be_in_one_leaf_and_in_all_boxes_above);
+    RUN_TEST(a_floor_below_many_faces_should_be_set_apart_at_the_root);
     RUN_TEST(one_face_should_be_a_leaf);
     RUN_TEST(the_tree_should_not_depend_on_the_threads);
     RUN_TEST(the_heuristic_should_beat_halving);
