@@ -20,6 +20,7 @@ INLINE Apex apex_at(const wide *point, real spread, real largest)
 typedef struct Pencil {
     Vec ahead;     /* from the apex along the ray: its direction; of a shadow ray the unit vector from the light */
     Lanes per_end; /* of a shadow ray: 1/t of its point; t is in units of `ahead`, from the apex */
+    Lanes doubt;   /* of a shadow ray: so many times the bounds of a face's errors cover those of its direction and its end, too */
     Mask active;   /* lanes that take part in the search that is on */
     Mask left;     /* the face that each ray leaves, not to be hit again */
 } Pencil;
@@ -27,17 +28,22 @@ typedef struct Pencil {
 /* Of a packet without active rays. */
 INLINE Pencil no_pencil(void)
 {
-    Pencil p = {{(Lanes)0, (Lanes)0, (Lanes)0}, (Lanes)0, (Mask)0, (Mask)-1};
+    Pencil p = {{(Lanes)0, (Lanes)0, (Lanes)0}, (Lanes)0, (Lanes)1, (Mask)0, (Mask)-1};
     return p;
 }
 
 /* A shadow ray, told from the light. */
-INLINE void aim_from_light(Pencil *p, WideVec light, WideVec point)
+INLINE void aim_from_light(Pencil *p, const wide *light, WideVec point)
 {
-    Vec d = vec_to_real(wide_sub(point, light));
+    Vec d = vec_to_real(wide_sub(point, wide_vec((Wide)light[0], (Wide)light[1], (Wide)light[2])));
     p->per_end = 1 / sqrt(vec_dot(d, d));
     p->ahead = vec_scale(p->per_end, d);
+    p->doubt = (Lanes)1;
 }
+
+/* share: what the sketch that a shadow ray comes from may be off, of its length; and back again. */
+#define DOUBT_OF(share) (1 + (share) * (real)(0.25f / REAL_ROUNDING))
+#define SHARE_OF(doubt) (((doubt) - 1) * (4 * REAL_ROUNDING))
 
 /* A face as it is seen from an apex. */
 typedef struct ApexFace {

@@ -79,8 +79,8 @@ INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high)
     return b;
 }
 
-/* Rays from an apex. */
-INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets)
+/* Rays from an apex. spread: no component of an exact direction is farther from the pencils'. */
+INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets, real spread)
 {
     Lanes all = (Lanes)REACH_ALL, low[3] = {all, all, all}, high[3] = {-all, -all, -all};
     EACH_OF(p, packets) {
@@ -94,8 +94,8 @@ INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets)
     }
     real lowest_of[3], highest_of[3];
     for (int axis = 0; axis < 3; axis++) {
-        lowest_of[axis] = lanes_lowest(low[axis]);
-        highest_of[axis] = -lanes_lowest(-high[axis]);
+        lowest_of[axis] = lanes_lowest(low[axis]) - spread;
+        highest_of[axis] = -lanes_lowest(-high[axis]) + spread;
     }
     return bundle_within(a, lowest_of, highest_of);
 }

@@ -22,19 +22,14 @@ static Bundle bundle_of_rays(const Apex *a, const Path *paths, const Ray *rays)
         pencils[k].active = paths[k].active;
         pencils[k].ahead = vec_to_real(rays[k].direction);
     }
-    return bundle_from(a, pencils, PACKETS);
+    return bundle_from(a, pencils, PACKETS, 0);
 }
 
 /* As `render` does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
-static void render_centres(const Geometry *g, const Shading *s, global uchar *rgb, global uchar *flags, Counters *counters)
+INLINE void render_centres(const Geometry *g, const Shading *s, int tile, global uchar *rgb, global uchar *flags, Counters *counters)
 {
-    Parameters p = *s->parameters;
-    int tiles_across = (p.columns + TILE_COLUMNS - 1) / TILE_COLUMNS;
-    int tile = (int)get_global_id(0);
-    int first_column = tile % tiles_across * TILE_COLUMNS, first_row = tile / tiles_across * TILE_ROWS;
-    if (first_row >= p.band_rows)
-        return;
-
+    constant const Parameters *p = s->parameters;
+    int first_column = tile % TILES_ACROSS(p) * TILE_COLUMNS, first_row = tile / TILES_ACROSS(p) * TILE_ROWS;
     Apex apex = apex_at_eye(s);
     Path paths[PACKETS];
     Ray rays[PACKETS];
@@ -44,25 +39,26 @@ static void render_centres(const Geometry *g, const Shading *s, global uchar *rg
     EACH_PACKET(k) {
         Mask number = lane_numbers();
         pixels.columns[k] = MASK_TO_WIDE(first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
-        pixels.rows[k] = MASK_TO_WIDE(p.first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
+        pixels.rows[k] = MASK_TO_WIDE(p->first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
         rays[k].origin = view_vec(s, VIEW_EYE);
         rays[k].direction = pixels.directions[k] = direction_to(s, pixels.columns[k], pixels.rows[k], (Wide)0, (Wide)0);
-        paths[k].active = even[k] = pixels_inside(&p, first_column, first_row, k);
+        paths[k].active = even[k] = pixels_inside(p, first_column, first_row, k);
         trails[k].count = 0;
         counters->kinds[COUNT_PRIMARY] += mask_count(even[k]);
     }
     Bundle seen = bundle_of_rays(&apex, paths, rays);
-    trace_paths(g, s, &apex, &seen, paths, rays, trails, counters);
+    begin_paths(paths, rays);
+    trace_paths(g, s, camera_of(s).eye, &apex, &seen, 0, paths, rays, trails, counters);
     judge_pixels(g, s, trails, &pixels, even, counters);
     EACH_PACKET(k) {
         int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
-        store_packet(rgb, &p, column, row, paths[k].total);
+        store_packet(rgb, p, column, row, paths[k].total);
         MaskElement even_lanes[LANES];
         STORE(even[k], even_lanes);
         for (int i = 0; i < LANES; i++) {
             int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
-            if (c < p.columns && r < p.band_rows)
-                flags[(size_t)r * (size_t)p.columns + (size_t)c] = even_lanes[i] ? 0 : 1;
+            if (c < p->columns && r < p->band_rows)
+                flags[(size_t)r * (size_t)p->columns + (size_t)c] = even_lanes[i] ? 0 : 1;
         }
     }
 }
@@ -104,7 +100,8 @@ static void trace_samples(const Geometry *g, const Shading *s, const Apex *apex,
     }
     counters->kinds[COUNT_PRIMARY] += (uint)(pixel_count * count);
     Bundle seen = bundle_of_rays(apex, paths, rays);
-    trace_paths(g, s, apex, &seen, paths, rays, 0, counters);
+    begin_paths(paths, rays);
+    trace_paths(g, s, camera_of(s).eye, apex, &seen, 0, paths, rays, 0, counters);
     for (int k = 0; k < pixel_count; k++)
         add_samples(pixels + k, paths[k].total, count);
 }
@@ -132,7 +129,7 @@ static void refine(const Geometry *g, const Shading *s, global uchar *rgb, globa
     }
 }
 
-/* A work-item for each tile of the band; where refine_count says that there are pixels to refine, one for
+/* A work-item for TILES_PER_ITEM tiles of the band; where refine_count says that there are pixels to refine, one for
  * PACKETS of them. Both in one kernel, for tracing a path is the most of it, and takes the longest to compile. */
 kernel void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                             global const wide *planes, global const real *materials, global const real *lights,
@@ -146,8 +143,9 @@ kernel void render_adaptive(constant Parameters *parameters, global const FaceRe
     Counters counters = {{0}};
     if (parameters->refine_count > 0)
         refine(&g, &s, rgb, list, &counters);
-    else
-        render_centres(&g, &s, rgb, flags, &counters);
+    int first = (int)get_global_id(0) * TILES_PER_ITEM, end = min(first + TILES_PER_ITEM, TILES_ACROSS(parameters) * TILES_DOWN(parameters));
+    for (int tile = parameters->refine_count > 0 ? end : first; tile < end; tile++)
+        render_centres(&g, &s, tile, rgb, flags, &counters);
     add_counters(totals, &counters);
 }
 

@@ -2,7 +2,6 @@
  * what belongs to a face is fetched once per face and blended into its lanes. */
 
 typedef struct Surface {
-    WideVec point;
     Vec normal; /* on the ray's side */
     Lanes reflection;
     Mask face, material, with_normal;
@@ -10,93 +9,109 @@ typedef struct Surface {
     int only_material; /* the same of materials */
 } Surface;
 
+/* The rays of a packet on their way, and what they have brought so far. */
+typedef struct Path {
+    WideVec apex; /* the image of the eye in the mirrors so far, from which the rays seem to come */
+    Mask active, left;
+    Vec total;
+    Lanes weight;
+} Path;
+
 typedef struct Shading {
     global const real *materials, *lights, *view;
     constant const Parameters *parameters;
     const Tree *tree;
 } Shading;
 
-/* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */
-static WideVec point_shifted(const Geometry *g, int face, const PlaneRow *plane, WideVec n, WideMask with_normal, WideVec point)
+/* Where rays meet their faces as float can tell it: from their apex, so that it does not matter how far from 0 the scene lies. It serves
+ * shading, and shadow rays, where its error is a small enough share of the distance to the light and to the viewer. */
+#define SKETCHED (!PLAIN_IS_POOR)
+#define SKETCH_MOST ((real)0x1p-14f)
+
+typedef struct Sketch {
+    Vec from_apex;
+    Lanes error;  /* the point is not farther from the exact one */
+    Lanes length; /* of the ray's direction */
+} Sketch;
+
+/* N.(v0 - A), t's numerator, which has no error worth mentioning; of a face seen from one apex, and from each lane's. */
+INLINE real sketch_height(const Geometry *g, int face, const wide *apex)
 {
-    global const FaceRecord *record = g->faces + face;
-    Wide height, doubt;
-    if (PLAIN_IS_POOR) {
-        WidePairs x = from_vertex_exactly(record, point);
-        height = normal_dot_accurate(plane, record, &x, (WideMask)-1).high;
-        doubt = ACCURATE_ERROR(*plane) * wide_magnitudes(x.high);
-    } else {
-        WideVec x = from_vertex(record, point);
-        height = normal_dot(plane, x);
-        doubt = PLAIN_ERROR(*plane) * wide_magnitudes(x);
-    }
-    height = with_normal ? -height : height;
-    Wide margin = 2 * WIDE_ROUNDING * wide_magnitudes(point) + 12 * WIDE_ROUNDING * fabs(height) + doubt;
-    margin = margin > (Wide)SHIFT_FLOOR ? margin : (Wide)SHIFT_FLOOR;
-    return wide_add(point, wide_scale(margin - height, n));
+    global const wide *n = g->planes + (size_t)face * PLANE_REALS;
+    global const float *v = g->faces[face].vertices;
+    return (real)(n[0] * (v[0] - apex[0]) + n[1] * (v[1] - apex[1]) + n[2] * (v[2] - apex[2]));
 }
 
-/* Where the rays meet the face. */
-INLINE WideVec point_on(const Geometry *g, const Ray *ray, bool from_eye, int face, Mask here)
+INLINE Lanes sketch_heights(const Geometry *g, int face, WideVec apex)
 {
-    WideMask wide_here = TO_WIDE_MASK(here);
-    Wide t = from_eye ? plane_hit_from_point(g, face, &ray->origin, &ray->direction, wide_here).t
-                      : plane_hit(g, face, &ray->origin, &ray->direction, wide_here).t;
-    return wide_add(ray->origin, wide_scale(t, ray->direction));
+    global const wide *n = g->planes + (size_t)face * PLANE_REALS;
+    global const float *v = g->faces[face].vertices;
+    return TO_REAL(n[0] * ((wide)v[0] - apex.x) + n[1] * ((wide)v[1] - apex.y) + n[2] * ((wide)v[2] - apex.z));
 }
 
-/* Where the rays meet their nearest faces, and the points shifted off them. `from_eye`: they have one origin. */
-INLINE void find_surface(const Geometry *g, const Shading *s, const Ray *ray, bool from_eye, Mask faces, Mask with_normal,
-                         Mask active, Surface *surface, WideVec *shifted)
+/* height: N.(v0 - A); normal: N of the lanes' faces. */
+INLINE Sketch sketch(Vec ahead, Lanes height, Vec normal)
 {
-    WideMask wide_with = TO_WIDE_MASK(with_normal);
+    Sketch s;
+    Lanes per_approach = 1 / FMA(ahead.x, normal.x, FMA(ahead.y, normal.y, ahead.z * normal.z));
+    Lanes t = height * per_approach;
+    s.length = sqrt(vec_dot(ahead, ahead));
+    s.from_apex = vec_scale(t, ahead);
+    s.error = (8 * REAL_ROUNDING) * t * s.length * (1 + s.length * fabs(per_approach));
+    return s;
+}
+
+/* What the rays' nearest faces are made of, and the sketch of their points. apex: of all rays, or NULL: then of each. */
+INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nearest, Mask active, Vec ahead, const wide *apex,
+                         const WideVec *apexes, Surface *surface, Sketch *drawn)
+{
+    Mask faces = nearest->face;
     surface->face = faces;
-    surface->with_normal = with_normal;
+    surface->with_normal = nearest->with_normal;
     surface->only = first_of(faces, active);
     surface->only_material = g->faces[surface->only].material;
+    Lanes height = (Lanes)0;
     bool first = true;
     for (Mask rest = active; ANY(rest); first = false) {
         int face = first ? surface->only : first_of(faces, rest), material = g->faces[face].material;
         Mask here = rest & IS(faces == (Mask)face);
         rest &= ~here;
-        WideVec point = point_on(g, ray, from_eye, face, here);
-        PlaneRow plane = plane_row(g, face);
-        WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
-        WideVec turned = wide_select(wide_with, wide_vec(-normal.x, -normal.y, -normal.z), normal);
-        WideVec off = point_shifted(g, face, &plane, turned, wide_with, point);
+        global const wide *plane = g->planes + (size_t)face * PLANE_REALS;
+        Vec normal = vec((Lanes)(real)plane[0], (Lanes)(real)plane[1], (Lanes)(real)plane[2]);
         Lanes reflection = (Lanes)s->materials[(size_t)material * MATERIAL_REALS + MATERIAL_REFLECTION];
+        Lanes its_height = (Lanes)0;
+        if (SKETCHED)
+            its_height = apex ? (Lanes)sketch_height(g, face, apex) : sketch_heights(g, face, *apexes);
         if (first) { /* mostly there is one face */
-            surface->point = point;
-            *shifted = off;
-            surface->normal = vec_to_real(turned);
+            surface->normal = normal;
             surface->reflection = reflection;
             surface->material = (Mask)material;
+            height = its_height;
             continue;
         }
-        WideMask wide_here = TO_WIDE_MASK(here);
-        surface->point = wide_select(wide_here, point, surface->point);
-        *shifted = wide_select(wide_here, off, *shifted);
-        surface->normal = vec_select(here, vec_to_real(turned), surface->normal);
+        surface->normal = vec_select(here, normal, surface->normal);
         surface->reflection = here ? reflection : surface->reflection;
         surface->material = here ? (Mask)material : surface->material;
+        height = here ? its_height : height;
         surface->only = -1;
         if (material != surface->only_material)
             surface->only_material = -1;
     }
+    if (SKETCHED)
+        *drawn = sketch(ahead, height, surface->normal);
+    Vec n = surface->normal;
+    surface->normal = vec_select(surface->with_normal, vec(-n.x, -n.y, -n.z), n);
 }
 
-/* N of each lane's face, on the side that the ray came from. */
-static WideVec wide_normal(const Geometry *g, const Surface *surface, Mask active)
+/* From the points to a place that lies at `at`, told from the apex: unit vectors, and 1 / their length. False where the sketch is too
+ * rough in some active lane. share: the sketch's error as a share of the length. */
+INLINE bool sketch_towards(const Sketch *drawn, Vec at, Mask active, Vec *unit, Lanes *per_length, Lanes *share)
 {
-    WideVec normal = wide_vec((Wide)0, (Wide)0, (Wide)0);
-    for (Mask rest = active; ANY(rest);) {
-        int face = first_of(surface->face, rest);
-        Mask here = rest & IS(surface->face == (Mask)face);
-        rest &= ~here;
-        global const wide *row = g->planes + (size_t)face * PLANE_REALS;
-        normal = wide_select(TO_WIDE_MASK(here), wide_vec((Wide)row[0], (Wide)row[1], (Wide)row[2]), normal);
-    }
-    return wide_select(TO_WIDE_MASK(surface->with_normal), wide_vec(-normal.x, -normal.y, -normal.z), normal);
+    Vec d = vec_sub(at, drawn->from_apex);
+    *per_length = 1 / sqrt(vec_dot(d, d));
+    *unit = vec_scale(*per_length, d);
+    *share = (drawn->error + 2 * REAL_ROUNDING * vec_largest(at)) * *per_length;
+    return !ANY(active & ~IS(*share <= (Lanes)SKETCH_MOST));
 }
 
 /* On which side of the face that was asked last a light is: neighbours mostly ask for the same face. */
@@ -176,10 +191,45 @@ INLINE bool has_only_ambient(global const real *light)
     return only;
 }
 
+/* A place as it is told from the apex of each lane's ray. */
+INLINE Vec from_apexes(const wide *place, const wide *apex, const WideVec *apexes)
+{
+    if (apex)
+        return vec((Lanes)(real)(place[0] - apex[0]), (Lanes)(real)(place[1] - apex[1]), (Lanes)(real)(place[2] - apex[2]));
+    return vec(TO_REAL(place[0] - apexes->x), TO_REAL(place[1] - apexes->y), TO_REAL(place[2] - apexes->z));
+}
+
+/* Tells the shadow rays of packet p from the light: by the sketch, or else by the exact points. */
+INLINE void aim_shadow_rays(Pencil *pencil, const wide *light, const Sketch *drawn, Vec light_from_apex, Points *points, int p)
+{
+    Lanes share;
+    if (SKETCHED && sketch_towards(drawn, light_from_apex, points->active[p], &pencil->ahead, &pencil->per_end, &share)) {
+        pencil->ahead = vec(-pencil->ahead.x, -pencil->ahead.y, -pencil->ahead.z);
+        pencil->doubt = DOUBT_OF(share);
+        return;
+    }
+    aim_from_light(pencil, light, *shifted_point(points, p));
+}
+
+/* The unit vectors to the viewer: back along the ray, or from the point to the eye. */
+INLINE Vec look_back(const Shading *s, const wide *eye, const Sketch *drawn, Vec ahead, bool from_eye, Vec eye_from_apex, Points *points, int p)
+{
+    bool along_ray = s->parameters->viewer_ray || (from_eye && SKETCHED);
+    Vec unit;
+    Lanes per_length, share;
+    if (SKETCHED && along_ray)
+        return vec_scale(-1 / drawn->length, ahead);
+    if (SKETCHED && sketch_towards(drawn, eye_from_apex, points->active[p], &unit, &per_length, &share))
+        return unit;
+    tell_points(points, p);
+    WideVec d = points->rays[p].direction, at = wide_vec((Wide)eye[0], (Wide)eye[1], (Wide)eye[2]);
+    return vec_unit(vec_to_real(along_ray ? wide_vec(-d.x, -d.y, -d.z) : wide_sub(at, points->point[p])));
+}
+
 /* colours: the illumination of the active lanes by all lights; `lit` collects the lanes that some light reaches.
- * close: the lanes whose points rounding may have put into a closed box. */
-INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, const WideVec *shifted, const Mask *close,
-                  const Vec *v, const Mask *active, Vec *colours, Mask *lit, Counters *counters)
+ * close: the lanes whose points rounding may have put into a closed box. apex: of all rays, or NULL: then of each. */
+INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, const Sketch *sketches, const wide *apex,
+                  const Path *paths, Points *points, const Mask *close, const Vec *v, const Mask *active, Vec *colours, Mask *lit, Counters *counters)
 {
     EACH_PACKET(p) {
         colours[p] = vec(0, 0, 0);
@@ -189,7 +239,6 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
         global const real *light = s->lights + i * LIGHT_REALS;
         wide position[3] = {(wide)light[0] + (wide)light[3], (wide)light[1] + (wide)light[4],
                             (wide)light[2] + (wide)light[5]};
-        WideVec at = wide_vec((Wide)position[0], (Wide)position[1], (Wide)position[2]);
         LightSide side = {-1, 0};
         bool only_ambient = SKIPS(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && has_only_ambient(light);
         Pencil pencils[PACKETS];
@@ -211,9 +260,9 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
                 asking[p] = facing[p] = (Mask)0;
             counters->kinds[COUNT_SHADOW] += mask_count(asking[p]);
             pencils[p].left = surfaces[p].face;
-            aim_from_light(pencils + p, at, shifted[p]);
+            aim_shadow_rays(pencils + p, position, sketches + p, from_apexes(position, apex, &paths[p].apex), points, p);
         }
-        find_blocked(g, s->tree, position, pencils, shifted, close, asking, blocked, counters);
+        find_blocked(g, s->tree, position, pencils, points, close, asking, blocked, counters);
         EACH_PACKET(p) {
             Mask reaches = facing[p] & ~blocked[p];
             lit[p] |= reaches;
@@ -221,9 +270,41 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
             if (!ANY(counted))
                 continue;
             /* To a float, the shift is nothing. */
-            Vec l = REAL_DOUBLE ? vec_unit(vec_to_real(wide_sub(at, surfaces[p].point))) : vec(-pencils[p].ahead.x, -pencils[p].ahead.y, -pencils[p].ahead.z);
+            Vec l = vec(-pencils[p].ahead.x, -pencils[p].ahead.y, -pencils[p].ahead.z);
+            if (REAL_DOUBLE) {
+                WideVec at = wide_vec((Wide)position[0], (Wide)position[1], (Wide)position[2]);
+                l = vec_unit(vec_to_real(wide_sub(at, points->point[p])));
+            }
             Vec sum = illuminate(s, surfaces + p, light, l, v[p], counted, reaches, counters);
             colours[p] = vec_add(colours[p], sum);
         }
     }
+}
+
+/* floor(255 c + 0.5) of the clamped colour, as in light.c. */
+INLINE IntLanes colour_to_byte(Lanes c)
+{
+    c = c > (Lanes)0 ? c : (Lanes)0;
+    c = c < (Lanes)1 ? c : (Lanes)1;
+    return TO_INT((real)255 * c + (real)0.5); /* at least 0: cutting off is floor */
+}
+
+/* Ends the paths all of whose further hits together could not change a byte of the picture: those whose bytes are the same with
+ * the most that can come. That is known where a path is its pixel's only one. */
+INLINE void drop_weak(const Shading *s, Path *path, Lanes reflection, Counters *counters)
+{
+#if defined(LINEAR) || ADAPTIVE
+#else
+    if (!SKIPS(s->parameters, SKIP_WEAK_BOUNCE) || s->parameters->grid > 1 || !ANY(path->active))
+        return;
+    Lanes most = path->weight * reflection * (Lanes)s->view[VIEW_BRIGHTEST];
+    Vec t = path->total;
+    const real rounded = 1 + 256 * REAL_ROUNDING; /* no sum of up to PATH_MAX terms is rounded up by more */
+    IntLanes red = IS(colour_to_byte(t.x) == colour_to_byte((t.x + most) * rounded));
+    IntLanes green = IS(colour_to_byte(t.y) == colour_to_byte((t.y + most) * rounded));
+    IntLanes blue = IS(colour_to_byte(t.z) == colour_to_byte((t.z + most) * rounded));
+    Mask same = INTS_TO_MASK(red & green & blue);
+    counters->kinds[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += mask_count(path->active & same);
+    path->active &= ~same;
+#endif
 }

@@ -206,18 +206,17 @@ INLINE bool ask_nearest_from(const Geometry *g, const Pencil *p, const Ray *ray,
     return nearer;
 }
 
-/* Asks face i, seen from the target; the active lanes whose points it blocks. */
-INLINE Mask ask_blocked_from(const Geometry *g, const Pencil *p, const WideVec *point, const ApexFace *f, const wide *target, int i)
+/* Asks face i, seen from the light; the active lanes whose points it blocks. doubt: those that only ask_blocked can tell. */
+INLINE Mask ask_blocked_from(const Pencil *p, const ApexFace *f, int i, Mask *doubt)
 {
-    Lanes edge = least_edge(p->ahead, f);
-    Mask may = p->active & ~IS(edge < (Lanes)-f->edge_error) & IS(p->left != (Mask)i);
+    Lanes edge = least_edge(p->ahead, f), edge_error = p->doubt * f->edge_error;
+    Mask may = p->active & ~IS(edge < -edge_error) & IS(p->left != (Mask)i);
+    *doubt = (Mask)0;
     if (!ANY(may))
         return (Mask)0;
-    Lanes inverse = along(p->ahead, f->nx, f->ny, f->nz);
-    may &= ~IS(inverse + f->depth_error < p->per_end);
-    Mask blocked = may & IS(edge > (Lanes)f->edge_error) & IS(inverse - f->depth_error > p->per_end);
-    Mask doubt = may & ~blocked;
-    if (ANY(doubt))
-        blocked |= ask_blocked(g, point, target, doubt, i);
+    Lanes inverse = along(p->ahead, f->nx, f->ny, f->nz), depth_error = p->doubt * f->depth_error;
+    may &= ~IS(inverse + depth_error < p->per_end);
+    Mask blocked = may & IS(edge > edge_error) & IS(inverse - depth_error > p->per_end);
+    *doubt = may & ~blocked;
     return blocked;
 }

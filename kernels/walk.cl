@@ -6,7 +6,7 @@
 typedef int Stack;
 typedef int Bundle;
 
-INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets) { return 0; }
+INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets, real spread) { return 0; }
 INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high) { return 0; }
 INLINE Bundle bundle_of(const Line *l, Mask active) { return 0; }
 INLINE void bundle_shorten(Bundle *b, real reach) {}
@@ -110,7 +110,7 @@ INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a
     uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
     __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets) {
         if (packets < PACKETS)
-            b = bundle_from(a, pencils + p, 1);
+            b = bundle_from(a, pencils + p, 1, 0);
         if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, packets, budget, outside, close + p, counters)) {
             p = -1;
             packets = 1;
@@ -145,17 +145,19 @@ INLINE void like_first(const Pencil *pencils, const Mask *rest, real near, Mask 
 /* blocked: collects the active lanes of the pencils whose segments from the point to the target, an apex, a face blocks, strictly
  * between the two; they are active no more. False: after more than `budget` faces it gave up. */
 INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, const wide *target, Pencil *pencils,
-                         const WideVec *points, Mask *blocked, uint budget, bool outside, Counters *counters)
+                         Points *points, Mask *blocked, uint budget, bool outside, Counters *counters)
 {
     uint asking[PACKETS], lanes = 0, asked = 0;
-    real nearest_end = REACH_ALL;
+    Lanes ends = (Lanes)REACH_ALL, doubts = (Lanes)1;
     EACH_PACKET(p) {
-        lanes += asking[p] = mask_count(pencils[p].active);
-        real end = lanes_lowest(pencils[p].active ? pencils[p].per_end : (Lanes)REACH_ALL);
-        nearest_end = LESSER(nearest_end, end);
+        const Pencil *pencil = pencils + p;
+        lanes += asking[p] = mask_count(pencil->active);
+        ends = (pencil->active & IS(pencil->per_end < ends)) ? pencil->per_end : ends;
+        doubts = (pencil->active & IS(pencil->doubt > doubts)) ? pencil->doubt : doubts;
     }
-    Bundle b = bundle_from(a, pencils, PACKETS);
-    bundle_shorten(&b, 1 / nearest_end);
+    real share = SHARE_OF(-lanes_lowest(-doubts));
+    Bundle b = bundle_from(a, pencils, PACKETS, share);
+    bundle_shorten(&b, (1 + 2 * share) / lanes_lowest(ends));
     if (outside)
         bundle_leave_out_sides(&b, true);
     Stack stack = stack_of(tree, &b);
@@ -175,9 +177,11 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
                 if (asking[p] == 0)
                     continue;
                 Pencil *pencil = pencils + p;
-                Mask hit = sight == SIGHT_CLEAR
-                               ? ask_blocked_from(g, pencil, points + p, &face, target, i)
-                               : ask_blocked(g, points + p, target, pencil->active & IS(pencil->left != (Mask)i), i);
+                Mask hit = (Mask)0, doubt = pencil->active & IS(pencil->left != (Mask)i);
+                if (sight == SIGHT_CLEAR)
+                    hit = ask_blocked_from(pencil, &face, i, &doubt);
+                if (ANY(doubt))
+                    hit |= ask_blocked(g, shifted_point(points, p), target, doubt, i);
                 if (ANY(hit)) {
                     blocked[p] |= hit;
                     pencil->active &= ~hit;
@@ -194,7 +198,7 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
 
 /* The same for the lanes of `rest`, in groups of like directions: the more faces a group meets, the smaller the next ones.
  * Those that are `close` come last, and all faces are asked for them. */
-INLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, Pencil *pencils, const WideVec *points,
+INLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, Pencil *pencils, Points *points,
                          const Mask *close, Mask *rest, Mask *blocked, Counters *counters)
 {
     Mask later[PACKETS];
@@ -275,6 +279,6 @@ static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray
     }
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
     Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_largest(direction) : (Lanes)0));
-    find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS), false, close, counters);
+    find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS, 0), false, close, counters);
     return exact_hit(g, ray, nearest, active);
 }

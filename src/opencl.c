@@ -78,7 +78,8 @@ static bool render_bands(OpenclSession *session, const Scene *scene, const Scene
         parameters.grid = session->adaptive ? 1 : scene->grid;
         size_t tiles_down = (size_t)((parameters.band_rows + session->tile_rows - 1) / session->tile_rows);
         double before = report->trace_ms;
-        if (!opencl_launch(session, on_device, kernel, &parameters, tiles_across * tiles_down, report, error))
+        size_t items = (tiles_across * tiles_down + (size_t)session->tiles_per_item - 1) / (size_t)session->tiles_per_item;
+        if (!opencl_launch(session, on_device, kernel, &parameters, items, report, error))
             return false;
         parameters.grid = session->adaptive ? adaptive_samples(scene->grid) : scene->grid;
         if ((session->adaptive && !opencl_refine(session, on_device, kernel, refinement, parameters, report, error)) ||

@@ -13,6 +13,7 @@ const SkipText skip_texts[SKIPS] = {
     [SKIP_HIGHLIGHT] = {"highlight", "skipped: no highlight"},
     [SKIP_WEAK_BOUNCE] = {"weak_bounce", "skipped: weak bounce"},
     [SKIP_EMPTY_TILE] = {"empty_tile", "skipped: empty tile"},
+    [SKIP_WHOLE_TILE] = {"whole_tile", "skipped: whole tile"},
     [SKIP_BACK_FACE] = {"back_face", "skipped: back face"},
     [SKIP_LIGHT_BLACK] = {"light_black", "skipped: black light"},
     [SKIP_IDLE_FACE] = {"idle_face", "skipped: idle face"},

@@ -159,6 +159,34 @@ static void tiles_beside_the_scene_should_cast_no_rays(void)
     assert_skipped(SKIP_EMPTY_TILE, ACCEL_NONE, 0);
 }
 
+/* Two mirrors that face one another, a box between them that throws a shadow: tiles that are whole for some bounces, or never. */
+static void tiles_that_see_the_same_should_be_traced_by_their_corners(void)
+{
+    int mirror = small_scene_material(&small, (Material){.ambient = {0.1, 0.1, 0.1}, .diffuse = {0.4, 0.5, 0.6}, .specular = {0.3, 0.3, 0.3},
+                                                         .shininess = 40, .reflection = 0.6});
+    small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -1));
+    small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, 2));
+    add_box(small_scene_material(&small, MATT), vec3(0.3, -0.6, -3), vec3(0.5, -0.4, -2.5));
+    small_scene_light(&small, vec3(0.9, 1.5, -2));
+    small.scene.shading.max_bounces = 4;
+    for (int shadow = 0; shadow < 2; shadow++) {
+        small.scene.shading.shadow = shadow ? SHADOW_BLACK : SHADOW_AMBIENT;
+        for (int k = 0; k < 3; k++) {
+            AccelKind accel = (AccelKind[]){ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH}[k];
+            Picture with = render(PRECISION_FLOAT, accel, 0);
+            Picture without = render(PRECISION_FLOAT, accel, 1u << SKIP_WHOLE_TILE);
+            TEST_ASSERT_GREATER_THAN_UINT64(0, with.report.skipped[SKIP_WHOLE_TILE]);
+            TEST_ASSERT_EQUAL_UINT64(0, without.report.skipped[SKIP_WHOLE_TILE]);
+            TEST_ASSERT_EQUAL_UINT64(without.report.rays.primary, with.report.rays.primary);
+            TEST_ASSERT_EQUAL_UINT64(without.report.rays.shadow, with.report.rays.shadow);
+            TEST_ASSERT_EQUAL_UINT64(without.report.rays.reflection, with.report.rays.reflection);
+            TEST_ASSERT_EQUAL_MEMORY(without.rgb, with.rgb, sizeof with.rgb);
+        }
+    }
+    /* In double every ray goes its own way. */
+    TEST_ASSERT_EQUAL_UINT64(0, render(PRECISION_DOUBLE, ACCEL_BVH, 0).report.skipped[SKIP_WHOLE_TILE]);
+}
+
 static void lights_without_colour_should_be_left_out(void)
 {
     small_scene_face(&small, small_scene_material(&small, MATT), face_at_height(-50, -50, 50, 50, -5));
@@ -315,6 +343,7 @@ int main(void)
     RUN_TEST(material_without_highlight_should_get_no_specular_term);
     RUN_TEST(bounce_that_cannot_change_a_byte_should_end_the_path);
     RUN_TEST(tiles_beside_the_scene_should_cast_no_rays);
+    RUN_TEST(tiles_that_see_the_same_should_be_traced_by_their_corners);
     RUN_TEST(lights_without_colour_should_be_left_out);
     RUN_TEST(light_without_colour_should_stay_where_paths_go_on_from_it);
     RUN_TEST(faces_that_no_ray_can_hit_should_be_left_out);

@@ -43,18 +43,19 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     Geometry g = {faces, edges, planes, parameters->face_count};
     wide target[3] = {segments[6 * i + 3], segments[6 * i + 4], segments[6 * i + 5]};
     Pencil pencils[PACKETS];
-    WideVec points[PACKETS];
+    Points points;
     Mask asking[PACKETS], found[PACKETS];
     EACH_PACKET(p) {
-        points[p] = probe_vec(segments, i);
+        points.told[p] = true;
+        points.shifted[p] = probe_vec(segments, i);
         asking[p] = p == 0 ? (Mask)-1 : (Mask)0;
         pencils[p].left = (Mask)left[i];
-        aim_from_light(pencils + p, wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]), points[p]);
+        aim_from_light(pencils + p, target, points.shifted[p]);
     }
     Mask close[PACKETS]; /* nothing is left out */
     EACH_PACKET(p)
         close[p] = (Mask)-1;
-    find_blocked(&g, &tree, target, pencils, points, close, asking, found, &counters);
+    find_blocked(&g, &tree, target, pencils, &points, close, asking, found, &counters);
     blocked[i] = ANY(found[0]);
 }
 
@@ -70,7 +71,6 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     Counters counters = {{0}};
     Tree tree = {0, 0};
     Geometry g = {faces, edges, planes, parameters->face_count};
-    Shading s = {materials, lights, view, parameters, &tree};
     Ray ray = probe_ray(rays, i);
     Hit hit = find_nearest_of_pencil(&g, &tree, &ray, (Mask)-1, &counters);
     MaskElement face[LANES];
@@ -81,10 +81,15 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     t[i] = parameter[0];
     if (face[0] < 0)
         return;
-    Surface surface;
-    WideVec shifted;
-    find_surface(&g, &s, &ray, true, hit.face, hit.with_normal, (Mask)-1, &surface, &shifted);
-    Wide numbers[6] = {surface.point.x, surface.point.y, surface.point.z, shifted.x, shifted.y, shifted.z};
+    Nearest nearest = nothing_yet();
+    nearest.face = hit.face;
+    nearest.with_normal = hit.with_normal;
+    Mask active = (Mask)-1;
+    Points told;
+    points_of(&told, &g, &ray, &nearest, &active, true);
+    tell_points(&told, 0);
+    WideVec point = told.point[0], shifted = told.shifted[0];
+    Wide numbers[6] = {point.x, point.y, point.z, shifted.x, shifted.y, shifted.z};
     for (int k = 0; k < 6; k++) {
         wide number[LANES];
         STORE(numbers[k], number);
@@ -120,8 +125,9 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
         pencils[p].active = paths[p].active;
         pencils[p].ahead = vec_to_real(rays_of[p].direction);
     }
-    Bundle seen = bundle_from(&apex, pencils, PACKETS);
-    trace_paths(&g, &s, &apex, &seen, paths, rays_of, 0, &counters);
+    Bundle seen = bundle_from(&apex, pencils, PACKETS, 0);
+    begin_paths(paths, rays_of);
+    trace_paths(&g, &s, eye, &apex, &seen, 0, paths, rays_of, 0, &counters);
     Vec colour = paths[0].total;
     Lanes numbers[3] = {colour.x, colour.y, colour.z};
     for (int k = 0; k < 3; k++) {
