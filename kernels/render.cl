@@ -238,12 +238,22 @@ static void store_pixel(global uchar *rgb, int place, real red, real green, real
     out[2] = value_to_byte(blue);
 }
 
+/* Numbers that lie at any address: vstore8 of bytes stores them one by one. */
+typedef struct __attribute__((packed)) Bytes8 {
+    ulong value;
+} Bytes8;
+
+typedef struct __attribute__((packed)) Bytes4 {
+    uint value;
+} Bytes4;
+
 /* Four pixels side by side. */
 INLINE void store_four(int4 packed, global uchar *out)
 {
     uchar16 bytes = as_uchar16(packed);
-    vstore8(bytes.s01245689, 0, out);
-    vstore4(bytes.sacde, 0, out + 8);
+    ulong2 rows = as_ulong2(bytes.s01245689acdeffff);
+    ((global Bytes8 *)out)->value = rows.x;
+    ((global Bytes4 *)(out + 8))->value = (uint)rows.y;
 }
 
 static void store_packet(global uchar *rgb, constant const Parameters *p, int first_column, int first_row, Vec colour)
