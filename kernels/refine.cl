@@ -48,7 +48,8 @@ INLINE void render_centres(const Geometry *g, const Shading *s, int tile, global
     }
     Bundle seen = bundle_of_rays(&apex, paths, rays);
     begin_paths(paths, rays);
-    trace_paths(g, s, camera_of(s).eye, &apex, &seen, 0, paths, rays, trails, counters);
+    Camera camera = camera_of(s);
+    trace_paths(g, s, camera.eye, &apex, &seen, 0, paths, rays, trails, counters);
     judge_pixels(g, s, trails, &pixels, even, counters);
     EACH_PACKET(k) {
         int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
@@ -101,7 +102,8 @@ static void trace_samples(const Geometry *g, const Shading *s, const Apex *apex,
     counters->kinds[COUNT_PRIMARY] += (uint)(pixel_count * count);
     Bundle seen = bundle_of_rays(apex, paths, rays);
     begin_paths(paths, rays);
-    trace_paths(g, s, camera_of(s).eye, apex, &seen, 0, paths, rays, 0, counters);
+    Camera camera = camera_of(s);
+    trace_paths(g, s, camera.eye, apex, &seen, 0, paths, rays, 0, counters);
     for (int k = 0; k < pixel_count; k++)
         add_samples(pixels + k, paths[k].total, count);
 }

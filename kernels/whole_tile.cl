@@ -54,9 +54,11 @@ INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const
     w->face = -1;
     w->low = w->high = 0;
     Bundle b = bundle_of_corners(a, c, 0);
+    if (from < 0)
+        bundle_leave_out_sides(&b, false);
     Stack stack = stack_of(tree, &b);
     uint asked = 0, backs = 0;
-    for (int first, count; next_leaf(g, tree, &b, &stack, &first, &count, counters);) {
+    for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
         asked += (uint)count;
         if (asked > WHOLE_BUDGET)
             return false;
@@ -104,10 +106,12 @@ INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, 
 {
     Bundle b = bundle_of_corners(light, c, spread);
     bundle_shorten(&b, 1 + 4 * REAL_ROUNDING);
+    if (outside)
+        bundle_leave_out_sides(&b, true);
     Stack stack = stack_of(tree, &b);
     real doubt = DOUBT_OF(spread / light->largest);
     uint asked = 0, backs = 0;
-    for (int first, count; next_leaf(g, tree, &b, &stack, &first, &count, counters);) {
+    for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
         asked += (uint)count;
         if (asked > WHOLE_BUDGET)
             return SHADE_SOME;
