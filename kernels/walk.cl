@@ -198,7 +198,7 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
 
 /* The same for the lanes of `rest`, in groups of like directions: the more faces a group meets, the smaller the next ones.
  * Those that are `close` come last, and all faces are asked for them. */
-INLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, Pencil *pencils, Points *points,
+NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, Pencil *pencils, Points *points,
                          const Mask *close, Mask *rest, Mask *blocked, Counters *counters)
 {
     Mask later[PACKETS];
