@@ -1,18 +1,25 @@
 /* Rays through one point, the apex: the eye, an image of the eye in mirrors, or a light, from which shadow rays are told.
- * Seen from it, edge k of a face has the moment m = v[k] x v[k+1] + (v[k+1] - v[k]) x A, and a ray passes inside if all
- * m . R have one sign: half the arithmetic of a line in space, without a hit point. Its depth is as cheap, as
- * 1/t = -N.R / (N.A + D). What is within the error bounds of either is settled by geometry.cl and exact.cl.
+ * Seen from it, edge k of a face has the moment m = (v[k] - A) x (v[k+1] - v[k]), and a ray passes inside if all m . R have
+ * one sign, without a hit point: three multiplications an edge. Its depth is as cheap, as 1/t = N.R / N.(v[0] - A).
+ * What is within the error bounds of either is settled by geometry.cl and exact.cl.
  * docs/algorithm.md derives the bounds. */
 
 typedef struct Apex {
     real x, y, z;
-    real spread;  /* no ray's line passes farther than this from the point */
-    real largest; /* no component of a ray's direction is larger */
+    real spread; /* no ray's line passes farther than this from the point */
+    real length; /* no ray's direction is longer */
+    real off;    /* twice how far the lines pass from x, y, z */
+    real edge_share, edge_off, edge_floor; /* what ApexFace.edge_error is made of */
 } Apex;
 
-INLINE Apex apex_at(const wide *point, real spread, real largest)
+INLINE Apex apex_at(const wide *point, real spread, real length)
 {
-    Apex a = {(real)point[0], (real)point[1], (real)point[2], spread, largest};
+    Apex a = {(real)point[0], (real)point[1], (real)point[2], spread, length};
+    wide rounded = fabs(point[0] - (wide)a.x) + fabs(point[1] - (wide)a.y) + fabs(point[2] - (wide)a.z);
+    a.off = 2 * (spread + (real)rounded) + REAL_FLOOR;
+    a.edge_share = 16 * REAL_ROUNDING * length;
+    a.edge_off = length * (a.off + 4 * REAL_ROUNDING * (fabs(a.x) + fabs(a.y) + fabs(a.z))); /* the latter for closed boxes */
+    a.edge_floor = (1 + length) * REAL_FLOOR;
     return a;
 }
 
@@ -48,12 +55,26 @@ INLINE void aim_from_light(Pencil *p, const wide *light, WideVec point)
 /* A face as it is seen from an apex. */
 typedef struct ApexFace {
     real x[4], y[4], z[4]; /* the edges' moments, turned so that all m . R > 0 for a ray that meets the face ahead */
-    real nx, ny, nz;       /* -N / (N.A + D) */
+    real nx, ny, nz;       /* N / N.(v[0] - A) */
     real edge_error;       /* of m . ahead */
     real depth_error;      /* of 1/t */
     bool with_normal;      /* rays that hit it come from behind its normal */
     bool closed;           /* it is of a closed box of which every other face is left out */
 } ApexFace;
+
+/* (v[k] - A) x (v[k+1] - v[k]) of the four edges. */
+typedef struct EdgeMoments {
+    real4 x, y, z;
+} EdgeMoments;
+
+/* x, y, z: of all v[k] - A. */
+INLINE EdgeMoments edge_moments(global const real *row, real4 x, real4 y, real4 z)
+{
+    real4 vx = of_vertices(row, 0), vy = of_vertices(row, 1), vz = of_vertices(row, 2);
+    real4 ex = vx.yzwx - vx, ey = vy.yzwx - vy, ez = vz.yzwx - vz;
+    EdgeMoments m = {fma(y, ez, -z * ey), fma(z, ex, -x * ez), fma(x, ey, -y * ex)};
+    return m;
+}
 
 typedef enum Sight { SIGHT_NONE, SIGHT_CLEAR, SIGHT_DOUBTFUL } Sight;
 
@@ -63,38 +84,43 @@ typedef enum Sight { SIGHT_NONE, SIGHT_CLEAR, SIGHT_DOUBTFUL } Sight;
  * SIGHT_NONE: no ray from the apex hits it. SIGHT_DOUBTFUL: the apex is so close to its plane that rounding may decide. */
 INLINE Sight see_face(const Apex *a, global const real *row, bool towards, bool outside, ApexFace *f)
 {
-    f->closed = outside && row[FACE_BACK_IS] == BACK_INSIDE;
-    real nx = row[FACE_NORMAL], ny = row[FACE_NORMAL + 1], nz = row[FACE_NORMAL + 2], offset = row[FACE_OFFSET];
-    real x = nx * a->x, y = ny * a->y, z = nz * a->z;
-    real d = x + y + z + offset;
-    real slack = 8 * REAL_ROUNDING * (fabs(x) + fabs(y) + fabs(z) + fabs(offset)) + row[FACE_WARP] + 2 * a->spread +
-                 REAL_FLOOR;
-    if (!(fabs(d) > 4 * slack))
+    uint bits = face_bits(row);
+    f->closed = outside && bits & FACE_BACK_INSIDE;
+    real4 vx = of_vertices(row, 0) - a->x, vy = of_vertices(row, 1) - a->y, vz = of_vertices(row, 2) - a->z;
+    real nx = row[FACE_NORMAL], ny = row[FACE_NORMAL + 1], nz = row[FACE_NORMAL + 2];
+    real x = nx * vx.x, y = ny * vy.x, z = nz * vz.x;
+    real height = x + y + z;
+    real slack = 8 * REAL_ROUNDING * (fabs(x) + fabs(y) + fabs(z)) + face_warp(bits) + a->off;
+    if (!(fabs(height) > 4 * slack))
         return SIGHT_DOUBTFUL;
-    f->with_normal = d < 0;
-    if (f->with_normal != towards && (row[FACE_BACK_IS] == BACK_OPEN || f->closed))
+    f->with_normal = height > 0;
+    if (f->with_normal != towards && (bits & FACE_BACK_OPEN || f->closed))
         return SIGHT_NONE;
+    EdgeMoments m = edge_moments(row, vx, vy, vz);
     real4 turn = (real4)(f->with_normal ? 1 : -1);
-    real4 ax = (real4)a->x, ay = (real4)a->y, az = (real4)a->z;
-    real4 ex = vload4(0, row + EDGE_DIRECTION), ey = vload4(1, row + EDGE_DIRECTION), ez = vload4(2, row + EDGE_DIRECTION);
-    vstore4(turn * fma(ey, az, fma(-ez, ay, vload4(0, row + EDGE_MOMENT))), 0, f->x);
-    vstore4(turn * fma(ez, ax, fma(-ex, az, vload4(1, row + EDGE_MOMENT))), 0, f->y);
-    vstore4(turn * fma(ex, ay, fma(-ey, ax, vload4(2, row + EDGE_MOMENT))), 0, f->z);
-    real per_d = -1 / d;
-    f->nx = nx * per_d;
-    f->ny = ny * per_d;
-    f->nz = nz * per_d;
-    f->edge_error = a->largest * 16 * REAL_ROUNDING *
-                        (row[FACE_MOMENT_BOUND] + (fabs(a->x) + fabs(a->y) + fabs(a->z)) * row[FACE_DIRECTION_BOUND]) +
-                    a->largest * 2 * a->spread * row[FACE_DIRECTION_BOUND] + REAL_FLOOR;
-    f->depth_error = a->largest * (fabs(f->nx) + fabs(f->ny) + fabs(f->nz)) * (16 * REAL_ROUNDING + 2 * slack * fabs(per_d));
+    vstore4(turn * m.x, 0, f->x);
+    vstore4(turn * m.y, 0, f->y);
+    vstore4(turn * m.z, 0, f->z);
+    if (bits & FACE_TRIANGLE) {
+        f->x[3] = f->x[0];
+        f->y[3] = f->y[0];
+        f->z[3] = f->z[0];
+    }
+    real per_height = 1 / height, near = fabs(per_height);
+    f->nx = nx * per_height;
+    f->ny = ny * per_height;
+    f->nz = nz * per_height;
+    /* No vertex is farther from A than the first by more than two edges. */
+    real edge = edge_bound(bits), size = fabs(vx.x) + fabs(vy.x) + fabs(vz.x) + 2 * edge;
+    f->edge_error = edge * (a->edge_share * size + a->edge_off) + a->edge_floor;
+    f->depth_error = a->length * near * (16 * REAL_ROUNDING + 2 * slack * near);
     return SIGHT_CLEAR;
 }
 
 INLINE Lanes along(Vec ahead, real x, real y, real z) { return FMA(ahead.x, x, FMA(ahead.y, y, ahead.z * z)); }
 
 /* The least m . ahead of the four edges. */
-INLINE Lanes least_edge(Vec ahead, const ApexFace *f)
+INLINE Lanes least_edge(Vec ahead, const REREAD ApexFace *f)
 {
     Lanes s0 = along(ahead, f->x[0], f->y[0], f->z[0]), s1 = along(ahead, f->x[1], f->y[1], f->z[1]);
     Lanes s2 = along(ahead, f->x[2], f->y[2], f->z[2]), s3 = along(ahead, f->x[3], f->y[3], f->z[3]);

@@ -47,8 +47,8 @@ INLINE Point point_cross(Point a, Point b)
 
 INLINE Point face_point(const Geometry *g, int face, int k)
 {
-    global const float *v = g->faces[face].vertices + 3 * k;
-    return point((wide)v[0], (wide)v[1], (wide)v[2]);
+    global const real *v = face_row(g, face) + k;
+    return point((wide)v[0], (wide)v[4], (wide)v[8]);
 }
 
 INLINE Point face_normal(const Geometry *g, int face)
@@ -59,8 +59,7 @@ INLINE Point face_normal(const Geometry *g, int face)
 
 INLINE int face_vertex_count(const Geometry *g, int face)
 {
-    global const float *v = g->faces[face].vertices;
-    return v[0] == v[9] && v[1] == v[10] && v[2] == v[11] ? 3 : 4;
+    return face_bits(face_row(g, face)) & FACE_TRIANGLE ? 3 : 4;
 }
 
 /* --- Making beams --- */

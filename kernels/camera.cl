@@ -21,7 +21,7 @@ static WideVec view_vec(const Shading *s, int column)
 INLINE Apex apex_at_eye(const Shading *s)
 {
     wide eye[3] = {view_value(s, VIEW_EYE), view_value(s, VIEW_EYE + 1), view_value(s, VIEW_EYE + 2)};
-    return apex_at(eye, 0, s->view[VIEW_LARGEST]);
+    return apex_at(eye, 0, s->view[VIEW_LENGTH]);
 }
 
 /* The places of the tile's columns and rows on the screen: see view_direction in geometry.c. */
@@ -73,8 +73,8 @@ INLINE Camera camera_in_mirror(const Geometry *g, int face, const Camera *camera
 {
     Camera c = *camera;
     global const wide *n = g->planes + (size_t)face * PLANE_REALS;
-    global const float *v = g->faces[face].vertices;
-    wide off[3] = {c.eye[0] - v[0], c.eye[1] - v[1], c.eye[2] - v[2]};
+    global const real *v = face_row(g, face) + FACE_VERTICES;
+    wide off[3] = {c.eye[0] - v[0], c.eye[1] - v[4], c.eye[2] - v[8]};
     mirror(n, height_of(n, off), c.eye);
     mirror(n, height_of(n, c.forward), c.forward);
     mirror(n, height_of(n, c.right), c.right);

@@ -101,20 +101,20 @@ NOINLINE int determinant_sign(const Exact *a, const Exact *b, const Exact *c)
     return (value > 0) - (value < 0);
 }
 
-static void face_corner(global const FaceRecord *face, int k, wide *corner)
+static void face_corner(global const real *row, int k, wide *corner)
 {
     for (int axis = 0; axis < 3; axis++)
-        corner[axis] = (wide)face->vertices[3 * k + axis];
+        corner[axis] = (wide)row[FACE_VERTICES + 4 * axis + k];
 }
 
 /* The side on which a ray passes inside all four edges: +1 with the normal, -1 against it, 0 outside. */
-NOINLINE int inside_sign(global const FaceRecord *face, const wide *origin, const Exact *direction)
+NOINLINE int inside_sign(global const real *row, const wide *origin, const Exact *direction)
 {
     int lowest = 1, highest = -1;
     for (int k = 0; k < 4; k++) {
         wide a[3], b[3];
-        face_corner(face, k, a);
-        face_corner(face, (k + 1) & 3, b);
+        face_corner(row, k, a);
+        face_corner(row, (k + 1) & 3, b);
         if (a[0] == b[0] && a[1] == b[1] && a[2] == b[2])
             continue; /* a triangle has three edges */
         Exact p = exact_difference(a, origin), q = exact_difference(b, origin);
@@ -126,11 +126,11 @@ NOINLINE int inside_sign(global const FaceRecord *face, const wide *origin, cons
 }
 
 /* M.x for the cross product M of the face's diagonals, the face's normal but for its length. */
-NOINLINE wide cross_dot(global const FaceRecord *face, const Exact *x)
+NOINLINE wide cross_dot(global const real *row, const Exact *x)
 {
     wide v[4][3];
     for (int k = 0; k < 4; k++)
-        face_corner(face, k, v[k]);
+        face_corner(row, k, v[k]);
     Exact a = exact_difference(v[2], v[0]), b = exact_difference(v[3], v[1]);
     return exact_determinant(x, &a, &b);
 }

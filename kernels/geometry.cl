@@ -12,12 +12,18 @@ typedef struct Ray {
     WideVec origin, direction;
 } Ray;
 
-/* What the edge functions need of a ray: s_k = R . moment_k + (O x R) . direction_k = det(R, v[k] - O, v[k+1] - O). */
+INLINE global const real *face_row(const Geometry *g, int face) { return g->edges + (size_t)face * FACE_REALS; }
+INLINE Vec face_vertex(global const real *row, int k) { return vec((Lanes)row[k], (Lanes)row[4 + k], (Lanes)row[8 + k]); }
+INLINE real4 of_vertices(global const real *row, int axis) { return *(global const real4 *)(row + FACE_VERTICES + 4 * axis); }
+INLINE uint face_bits(global const real *row) { return *(global const uint *)(row + FACE_BITS); }
+INLINE real edge_bound(uint bits) { return (real)fabs(as_float(bits)); }
+INLINE real face_warp(uint bits) { return (real)fabs(as_float(bits << 16)); }
+
+/* A ray in `real`. */
 typedef struct Line {
-    Vec origin, direction, moment;
+    Vec origin, direction;
     Vec scaled;  /* the direction divided by the largest magnitude of its components, which is */
     Lanes scale;
-    Lanes direction_bound, moment_bound; /* rounding error per unit of FACE_MOMENT_BOUND, FACE_DIRECTION_BOUND */
 } Line;
 
 INLINE Line line(Vec origin, Vec direction)
@@ -25,12 +31,8 @@ INLINE Line line(Vec origin, Vec direction)
     Line l;
     l.origin = origin;
     l.direction = direction;
-    l.moment = vec_cross(origin, direction);
-    Lanes largest = vec_largest(direction);
-    l.scale = largest;
-    l.scaled = vec_scale(1 / largest, direction);
-    l.direction_bound = (10 * REAL_ROUNDING) * largest;
-    l.moment_bound = (10 * REAL_ROUNDING) * (vec_largest(l.moment) + vec_largest(origin) * largest) + REAL_FLOOR;
+    l.scale = vec_largest(direction);
+    l.scaled = vec_scale(1 / l.scale, direction);
     return l;
 }
 
@@ -39,22 +41,28 @@ typedef struct EdgeTest {
     Mask may, sure, with_normal;
 } EdgeTest;
 
-INLINE Lanes edge_function(const Line *l, global const real *row, int k)
+/* R.((v[k] - O) x (v[k+1] - v[k])) = det(R, v[k] - O, v[k+1] - O). a: v[k] - O; v: row + k, w: row + k + 1. */
+INLINE Lanes edge_function(Vec r, Vec a, global const real *v, global const real *w)
 {
-    global const real *moment = row + EDGE_MOMENT + k, *direction = row + EDGE_DIRECTION + k;
-    return FMA(l->direction.x, moment[0],
-               FMA(l->direction.y, moment[4],
-                   FMA(l->direction.z, moment[8],
-                       FMA(l->moment.x, direction[0], FMA(l->moment.y, direction[4], l->moment.z * direction[8])))));
+    real x = w[0] - v[0], y = w[4] - v[4], z = w[8] - v[8];
+    return FMA(r.x, FMA(a.y, z, -a.z * y), FMA(r.y, FMA(a.z, x, -a.x * z), r.z * FMA(a.x, y, -a.y * x)));
 }
 
 INLINE EdgeTest test_edges(const Line *l, global const real *row)
 {
-    Lanes s0 = edge_function(l, row, 0), s1 = edge_function(l, row, 1);
-    Lanes s2 = edge_function(l, row, 2), s3 = edge_function(l, row, 3);
-    Lanes low = LESSER(LESSER(s0, s1), LESSER(s2, s3)), high = GREATER(GREATER(s0, s1), GREATER(s2, s3));
-    Lanes bound = FMA(l->direction_bound, row[FACE_MOMENT_BOUND],
-                      FMA(l->moment_bound, row[FACE_DIRECTION_BOUND], REAL_FLOOR));
+    uint bits = face_bits(row);
+    int edges = bits & FACE_TRIANGLE ? 3 : 4;
+    Vec first = vec_sub(face_vertex(row, 0), l->origin);
+    Lanes low = edge_function(l->direction, first, row, row + 1), high = low;
+    for (int k = 1; k < edges; k++) {
+        Vec a = vec_sub(face_vertex(row, k), l->origin);
+        Lanes s = edge_function(l->direction, a, row + k, row + (k + 1 & 3));
+        low = LESSER(low, s);
+        high = GREATER(high, s);
+    }
+    /* No vertex is farther from O than the first by more than two edges. */
+    Lanes size = vec_magnitudes(first) + vec_magnitudes(l->origin) + 2 * edge_bound(bits);
+    Lanes bound = l->scale * FMA(size, 16 * REAL_ROUNDING * edge_bound(bits), REAL_FLOOR) + REAL_FLOOR;
     EdgeTest test;
     test.with_normal = IS(low > bound);
     test.sure = test.with_normal | IS(high < -bound);
@@ -63,7 +71,7 @@ INLINE EdgeTest test_edges(const Line *l, global const real *row)
 }
 
 /* Settles the lanes that may pass inside but not surely. With `target` the rays are segments that end there. */
-NOINLINE void settle_edges(EdgeTest *test, global const FaceRecord *face, const Ray *ray, const wide *target)
+NOINLINE void settle_edges(EdgeTest *test, global const real *row, const Ray *ray, const wide *target)
 {
     MaskElement may[LANES], sure[LANES], with_normal[LANES];
     wide o[3][LANES], r[3][LANES];
@@ -83,7 +91,7 @@ NOINLINE void settle_edges(EdgeTest *test, global const FaceRecord *face, const 
         wide zero[3] = {0, 0, 0};
         wide direction[3] = {r[0][i], r[1][i], r[2][i]};
         Exact exact = target ? exact_difference(target, origin) : exact_difference(direction, zero);
-        int sign = inside_sign(face, origin, &exact);
+        int sign = inside_sign(row, origin, &exact);
         may[i] = sign ? -1 : 0;
         with_normal[i] = sign > 0 ? -1 : 0;
     }
@@ -106,9 +114,9 @@ INLINE PlaneRow plane_row(const Geometry *g, int face)
     return plane;
 }
 
-static WideVec from_vertex(global const FaceRecord *face, WideVec point)
+static WideVec from_vertex(global const real *row, WideVec point)
 {
-    WideVec d = {point.x - (wide)face->vertices[0], point.y - (wide)face->vertices[1], point.z - (wide)face->vertices[2]};
+    WideVec d = {point.x - (wide)row[0], point.y - (wide)row[4], point.z - (wide)row[8]};
     return d;
 }
 
@@ -145,18 +153,17 @@ typedef struct WidePairs {
     WideVec high, low;
 } WidePairs;
 
-static WidePairs from_vertex_exactly(global const FaceRecord *face, WideVec point)
+static WidePairs from_vertex_exactly(global const real *row, WideVec point)
 {
-    WidePair x = wide_sum(point.x, (Wide)(-(wide)face->vertices[0]));
-    WidePair y = wide_sum(point.y, (Wide)(-(wide)face->vertices[1]));
-    WidePair z = wide_sum(point.z, (Wide)(-(wide)face->vertices[2]));
+    WidePair x = wide_sum(point.x, (Wide)(-(wide)row[0]));
+    WidePair y = wide_sum(point.y, (Wide)(-(wide)row[4]));
+    WidePair z = wide_sum(point.z, (Wide)(-(wide)row[8]));
     WidePairs d = {{x.high, y.high, z.high}, {x.low, y.low, z.low}};
     return d;
 }
 
 /* The lanes in doubt get M.x / |M| from exact arithmetic. */
-NOINLINE Wide settle_dot(Wide value, global const FaceRecord *face, wide length, const WidePairs *x,
-                                                 WideMask doubt)
+NOINLINE Wide settle_dot(Wide value, global const real *row, wide length, const WidePairs *x, WideMask doubt)
 {
     wide v[LANES], high[3][LANES], low[3][LANES];
     WideMaskElement doubtful[LANES];
@@ -171,13 +178,13 @@ NOINLINE Wide settle_dot(Wide value, global const FaceRecord *face, wide length,
     for (int i = 0; i < LANES; i++)
         if (doubtful[i]) {
             Exact at = {{high[0][i], low[0][i]}, {high[1][i], low[1][i]}, {high[2][i], low[2][i]}};
-            v[i] = cross_dot(face, &at) / length;
+            v[i] = cross_dot(row, &at) / length;
         }
     return LOAD(v);
 }
 
 /* N.x in twice the precision, as normal_dot in geometry.c. */
-static WidePair normal_dot_accurate(const PlaneRow *plane, global const FaceRecord *face, const WidePairs *x, WideMask active)
+static WidePair normal_dot_accurate(const PlaneRow *plane, global const real *row, const WidePairs *x, WideMask active)
 {
     WideVec h = x->high, l = x->low;
     WidePair xs = wide_product((Wide)plane->x, h.x), ys = wide_product((Wide)plane->y, h.y);
@@ -190,7 +197,7 @@ static WidePair normal_dot_accurate(const PlaneRow *plane, global const FaceReco
     Wide bound = ACCURATE_ERROR(*plane) * wide_magnitudes(h);
     WideMask doubt = active & IS(fabs(value.high) <= WIDE_DOUBT * bound);
     if (ANY(TO_MASK(doubt))) {
-        value.high = settle_dot(value.high, face, plane->length, x, doubt);
+        value.high = settle_dot(value.high, row, plane->length, x, doubt);
         value.low = doubt ? (Wide)0 : value.low;
     }
     return value;
@@ -199,32 +206,33 @@ static WidePair normal_dot_accurate(const PlaneRow *plane, global const FaceReco
 /* N . (point - v0), its sign exact in every lane of `active`. */
 static Wide plane_distance(const Geometry *g, int face, const PlaneRow *plane, WideVec point, WideMask active)
 {
-    WideVec x = from_vertex(g->faces + face, point);
+    global const real *row = face_row(g, face);
+    WideVec x = from_vertex(row, point);
     Wide value = normal_dot(plane, x);
     WideMask doubt = active & IS(fabs(value) <= PLAIN_ERROR(*plane) * wide_magnitudes(x));
     if (!ANY(TO_MASK(doubt)))
         return value;
-    WidePairs exactly = from_vertex_exactly(g->faces + face, point);
-    return settle_dot(value, g->faces + face, plane->length, &exactly, doubt);
+    WidePairs exactly = from_vertex_exactly(row, point);
+    return settle_dot(value, row, plane->length, &exactly, doubt);
 }
 
-NOINLINE wide settle_distance_of_point(global const FaceRecord *record, const wide *point)
+NOINLINE wide settle_distance_of_point(global const real *row, const wide *point)
 {
     wide corner[3];
-    face_corner(record, 0, corner);
+    face_corner(row, 0, corner);
     Exact exactly = exact_difference(point, corner);
-    return cross_dot(record, &exactly);
+    return cross_dot(row, &exactly);
 }
 
 /* The same for a point common to all lanes. */
 INLINE wide plane_distance_of_point(const Geometry *g, int face, const wide *point)
 {
-    global const FaceRecord *record = g->faces + face;
+    global const real *row = face_row(g, face);
     global const wide *plane = g->planes + (size_t)face * PLANE_REALS;
-    wide x = point[0] - record->vertices[0], y = point[1] - record->vertices[1], z = point[2] - record->vertices[2];
+    wide x = point[0] - (wide)row[0], y = point[1] - (wide)row[4], z = point[2] - (wide)row[8];
     wide value = plane[0] * x + plane[1] * y + plane[2] * z;
     wide bound = (plane[PLANE_ERROR] + 8 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z));
-    return fabs(value) > bound ? value : settle_distance_of_point(record, point);
+    return fabs(value) > bound ? value : settle_distance_of_point(row, point);
 }
 
 /* Where a ray meets a plane. */
@@ -232,12 +240,12 @@ typedef struct PlaneHit {
     Wide distance, t;
 } PlaneHit;
 
-NOINLINE void plane_hit_accurate(PlaneHit *hit, const PlaneRow *plane, global const FaceRecord *face,
-                                                         const WideVec *origin, const WideVec *direction, WideMask active)
+NOINLINE void plane_hit_accurate(PlaneHit *hit, const PlaneRow *plane, global const real *row, const WideVec *origin,
+                                 const WideVec *direction, WideMask active)
 {
-    WidePairs o = from_vertex_exactly(face, *origin), r = {*direction, {(Wide)0, (Wide)0, (Wide)0}};
-    WidePair distance = normal_dot_accurate(plane, face, &o, active);
-    WidePair approach = normal_dot_accurate(plane, face, &r, active);
+    WidePairs o = from_vertex_exactly(row, *origin), r = {*direction, {(Wide)0, (Wide)0, (Wide)0}};
+    WidePair distance = normal_dot_accurate(plane, row, &o, active);
+    WidePair approach = normal_dot_accurate(plane, row, &r, active);
     Wide q = distance.high / approach.high;
     Wide rest = fma(-q, approach.high, distance.high) + (distance.low - q * approach.low);
     hit->distance = distance.high;
@@ -252,7 +260,7 @@ static PlaneHit plane_hit(const Geometry *g, int face, const WideVec *origin, co
     PlaneHit hit;
     WideMask doubt = active;
     if (!PLAIN_IS_POOR) {
-        WideVec x = from_vertex(g->faces + face, *origin);
+        WideVec x = from_vertex(face_row(g, face), *origin);
         Wide approach = normal_dot(&plane, *direction);
         hit.distance = normal_dot(&plane, x);
         hit.t = -hit.distance / approach;
@@ -260,7 +268,7 @@ static PlaneHit plane_hit(const Geometry *g, int face, const WideVec *origin, co
                  IS(fabs(approach) <= PLAIN_DOUBT * wide_magnitudes(*direction));
     }
     if (ANY(TO_MASK(doubt)))
-        plane_hit_accurate(&hit, &plane, g->faces + face, origin, direction, active);
+        plane_hit_accurate(&hit, &plane, face_row(g, face), origin, direction, active);
     return hit;
 }
 
@@ -270,8 +278,8 @@ static PlaneHit plane_hit_from_point(const Geometry *g, int face, const WideVec 
     if (PLAIN_IS_POOR)
         return plane_hit(g, face, origin, direction, active);
     PlaneRow plane = plane_row(g, face);
-    global const float *corner = g->faces[face].vertices;
-    wide x = first_wide(origin->x) - corner[0], y = first_wide(origin->y) - corner[1], z = first_wide(origin->z) - corner[2];
+    global const real *row = face_row(g, face);
+    wide x = first_wide(origin->x) - row[0], y = first_wide(origin->y) - row[4], z = first_wide(origin->z) - row[8];
     wide distance = plane.x * x + plane.y * y + plane.z * z;
     Wide approach = normal_dot(&plane, *direction);
     if (fabs(distance) <= PLAIN_DOUBT * (fabs(x) + fabs(y) + fabs(z)) ||

@@ -62,6 +62,14 @@ INLINE void fetch(global const void *p, uint bytes)
 #define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
 #define PLAIN_DOUBT (wide)0x1p-20f
 
+/* What is read from memory at every use: the compiler would make a vector of each value before a loop, more than there are
+ * registers, and read those from memory instead. */
+#if LANES > 1
+#define REREAD volatile
+#else
+#define REREAD
+#endif
+
 /* One work-item holds PACKETS packets of LANES rays. Not unrolled: their code is long. */
 #define EACH_OF(p, count) __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < (count); p++)
 #define EACH_PACKET(p) EACH_OF(p, PACKETS)
@@ -167,6 +175,7 @@ static Vec vec_sub(Vec a, Vec b) { return vec(a.x - b.x, a.y - b.y, a.z - b.z); 
 static Vec vec_scale(Lanes s, Vec a) { return vec(s * a.x, s * a.y, s * a.z); }
 static Vec vec_multiply(Vec a, Vec b) { return vec(a.x * b.x, a.y * b.y, a.z * b.z); }
 static Lanes vec_dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Lanes vec_magnitudes(Vec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 static Lanes vec_largest(Vec a) { return GREATER(GREATER(fabs(a.x), fabs(a.y)), fabs(a.z)); }
 static Vec vec_select(Mask mask, Vec a, Vec b) { return vec(mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z); }
 

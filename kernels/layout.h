@@ -9,15 +9,13 @@
 #include "skips.h"
 #endif
 
-/* A face as it is traced: exactly the float32 vertices of the scene. */
+/* Of a face, what only those rays need that hit it. */
 typedef struct FaceRecord {
-    float vertices[12]; /* 4 x (x, y, z); a triangle repeats its first */
     int material;
     int front_only; /* 1: rays from behind the normal pass */
     int index;      /* the face's place in the scene; on the device, faces stand in the order of the tree's leaves */
     int flat;       /* 1: across an axis, so that every hit is in its box */
     float box[6];   /* of face_box: low x, high x, low y, ... */
-    int padding[2];
 } FaceRecord;
 
 /* A path has at most so many hits. */
@@ -39,26 +37,19 @@ typedef struct Parameters {
     int padding;
 } Parameters;
 
-/* The edge functions of a face: edge k has the moment v[k] x v[k+1] and the direction v[k+1] - v[k]. What belongs together
- * for the four edges stands side by side. */
+/* A face as all rays ask it that come near it; in float one cache line. */
 enum {
-    EDGE_MOMENT = 0,    /* 4 x, 4 y, 4 z */
-    EDGE_DIRECTION = 12, /* 4 x, 4 y, 4 z */
-    FACE_MOMENT_BOUND = 24,    /* the largest |x|+|y|+|z| of the four moments */
-    FACE_DIRECTION_BOUND = 25, /* and of the four directions */
-    FACE_NORMAL = 26,          /* 3, unit */
-    FACE_OFFSET = 29,          /* D = -N.v0 */
-    FACE_WARP = 30,            /* no vertex is farther than this from the plane N.P + D = 0 */
-    FACE_BACK_IS = 31,            /* what its back is to rays: see below */
-    FACE_REALS = 32
+    FACE_VERTICES = 0, /* 4 x, 4 y, 4 z: exactly the float32 vertices of the scene; a triangle repeats its first */
+    FACE_NORMAL = 12,  /* 3, unit */
+    FACE_BITS = 15,    /* 32 bits: two bounds and three answers */
+    FACE_REALS = 16
 };
 
-/* The back of a face: where the normal does not point. */
-enum {
-    BACK_LIKE_FRONT = 0,
-    BACK_OPEN = 1,  /* rays pass: the face is one-sided */
-    BACK_INSIDE = 2 /* of a closed box: rays from outside meet a front of the box first */
-};
+/* The upper half of FACE_BITS is that of a float: no edge has larger |x|+|y|+|z|. The lower half is the upper one of another:
+ * no vertex is farther from the plane. What is told beside them is in their signs and makes the second larger at most. */
+#define FACE_TRIANGLE 0x80000000u
+#define FACE_BACK_OPEN 0x8000u /* rays pass from behind the normal: the face is one-sided */
+#define FACE_BACK_INSIDE 1u    /* behind it is the inside of a closed box: rays from outside meet a front of the box first */
 
 /* Planes are rows of `wide`: double wherever the device has it. */
 enum {
@@ -97,7 +88,7 @@ enum {
     VIEW_HEIGHT = 13,
     VIEW_BACKGROUND = 14, /* 3, RGB */
     VIEW_BRIGHTEST = 17,  /* adaptive sampling: the most that a hit and all its mirror shows can add */
-    VIEW_LARGEST = 18,    /* no component of a primary ray's direction is larger */
+    VIEW_LENGTH = 18,     /* no primary ray's direction is longer */
     VIEW_FARTHEST = 19,   /* no vertex has larger |x|+|y|+|z| */
     VIEW_REALS = 20
 };

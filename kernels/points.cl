@@ -4,14 +4,14 @@
 /* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */
 static WideVec point_shifted(const Geometry *g, int face, const PlaneRow *plane, WideVec n, WideMask with_normal, WideVec point)
 {
-    global const FaceRecord *record = g->faces + face;
+    global const real *row = face_row(g, face);
     Wide height, doubt;
     if (PLAIN_IS_POOR) {
-        WidePairs x = from_vertex_exactly(record, point);
-        height = normal_dot_accurate(plane, record, &x, (WideMask)-1).high;
+        WidePairs x = from_vertex_exactly(row, point);
+        height = normal_dot_accurate(plane, row, &x, (WideMask)-1).high;
         doubt = ACCURATE_ERROR(*plane) * wide_magnitudes(x.high);
     } else {
-        WideVec x = from_vertex(record, point);
+        WideVec x = from_vertex(row, point);
         height = normal_dot(plane, x);
         doubt = PLAIN_ERROR(*plane) * wide_magnitudes(x);
     }

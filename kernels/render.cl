@@ -46,7 +46,7 @@ INLINE Mask pixels_inside(constant const Parameters *p, int first_column, int fi
 }
 
 /* The nearest faces of rays that come from images of the eye: those that share one are searched together. */
-INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, real largest, Pencil *pencils,
+INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, real length, Pencil *pencils,
                            Nearest *nearest, Mask *close, Counters *counters)
 {
     Mask rest[PACKETS];
@@ -82,7 +82,7 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
             nearest[p].begin = TO_REAL(begin);
             nearest[p].limit = 1 / nearest[p].begin;
         }
-        Apex a = apex_at(image, -lanes_lowest(-spread), largest);
+        Apex a = apex_at(image, -lanes_lowest(-spread), length);
         find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS, 0), false, close, counters);
     }
     EACH_PACKET(p)
@@ -106,8 +106,7 @@ INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, c
     if (from_eye)
         find_nearest_from(g, tree, eye, pencils, rays, nearest, *seen, true, close, counters);
     else
-        /* Mirrors may turn the largest component from one axis to all three. */
-        find_reflected(g, tree, paths, rays, PLAIN_IS_POOR ? 1 + 4 * REAL_ROUNDING : 2 * eye->largest, pencils, nearest, close, counters);
+        find_reflected(g, tree, paths, rays, PLAIN_IS_POOR ? 1 + 4 * REAL_ROUNDING : eye->length * (1 + 4 * REAL_ROUNDING), pencils, nearest, close, counters);
 }
 
 /* Paths at their beginning, in the eye. */

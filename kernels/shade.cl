@@ -38,15 +38,15 @@ typedef struct Sketch {
 INLINE real sketch_height(const Geometry *g, int face, const wide *apex)
 {
     global const wide *n = g->planes + (size_t)face * PLANE_REALS;
-    global const float *v = g->faces[face].vertices;
-    return (real)(n[0] * (v[0] - apex[0]) + n[1] * (v[1] - apex[1]) + n[2] * (v[2] - apex[2]));
+    global const real *v = face_row(g, face) + FACE_VERTICES;
+    return (real)(n[0] * (v[0] - apex[0]) + n[1] * (v[4] - apex[1]) + n[2] * (v[8] - apex[2]));
 }
 
 INLINE Lanes sketch_heights(const Geometry *g, int face, WideVec apex)
 {
     global const wide *n = g->planes + (size_t)face * PLANE_REALS;
-    global const float *v = g->faces[face].vertices;
-    return TO_REAL(n[0] * ((wide)v[0] - apex.x) + n[1] * ((wide)v[1] - apex.y) + n[2] * ((wide)v[2] - apex.z));
+    global const real *v = face_row(g, face) + FACE_VERTICES;
+    return TO_REAL(n[0] * ((wide)v[0] - apex.x) + n[1] * ((wide)v[4] - apex.y) + n[2] * ((wide)v[8] - apex.z));
 }
 
 /* height: N.(v0 - A); normal: N of the lanes' faces. */

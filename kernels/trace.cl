@@ -41,12 +41,12 @@ INLINE PlaneHit hit_in_box(const Geometry *g, int i, const Ray *ray, WideMask ac
 /* Asks face i in the active lanes; true if it is nearer in some lane. */
 NOINLINE bool ask_nearest(const Geometry *g, const Line *line, const Ray *ray, Mask active, int i, Hit *nearest)
 {
-    EdgeTest edges = test_edges(line, g->edges + (size_t)i * FACE_REALS);
+    EdgeTest edges = test_edges(line, face_row(g, i));
     edges.may &= active;
     if (!ANY(edges.may))
         return false;
     if (ANY(edges.may & ~edges.sure))
-        settle_edges(&edges, g->faces + i, ray, 0);
+        settle_edges(&edges, face_row(g, i), ray, 0);
     if (g->faces[i].front_only) {
         edges.may &= ~edges.with_normal;
         if (!ANY(edges.may))
@@ -78,10 +78,10 @@ NOINLINE Mask ask_blocked(const Geometry *g, const WideVec *point, const wide *t
     WideVec end = wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]);
     Ray ray = {*point, wide_sub(end, *point)};
     Line l = line(vec_to_real(end), vec_to_real(wide_sub(*point, end)));
-    EdgeTest edges = test_edges(&l, g->edges + (size_t)i * FACE_REALS);
+    EdgeTest edges = test_edges(&l, face_row(g, i));
     edges.may &= active;
     if (ANY(edges.may & ~edges.sure))
-        settle_edges(&edges, g->faces + i, &ray, target);
+        settle_edges(&edges, face_row(g, i), &ray, target);
     PlaneRow plane = plane_row(g, i);
     wide end_side = plane_distance_of_point(g, i, target);
     Wide start = plane_distance(g, i, &plane, *point, TO_WIDE_MASK(edges.may));
@@ -152,17 +152,17 @@ NOINLINE Mask barely_meet(const Geometry *g, const Ray *ray, Mask lanes, int i, 
 {
 #if REAL_DOUBLE || HAS_DOUBLE
     const wide share = 0x1p-26f; /* rounding in `wide` is far below it */
-    global const FaceRecord *face = g->faces + i;
-    global const real *row = g->edges + (size_t)i * FACE_REALS;
+    global const real *row = face_row(g, i);
     Wide largest = fabs(ray->direction.x);
     largest = GREATER(largest, fabs(ray->direction.y));
     largest = GREATER(largest, fabs(ray->direction.z));
-    Wide bound = share * largest * ((wide)row[FACE_MOMENT_BOUND] + wide_magnitudes(ray->origin) * (wide)row[FACE_DIRECTION_BOUND]);
+    Wide size = wide_magnitudes(from_vertex(row, ray->origin)) + wide_magnitudes(ray->origin);
+    Wide bound = share * (wide)edge_bound(face_bits(row)) * largest * size;
     WideMask near = (WideMask)0;
     for (int k = 0; k < 4; k++) {
-        global const float *v = face->vertices + 3 * k, *w = face->vertices + 3 * ((k + 1) % 4);
-        WideVec a = wide_vec(v[0] - ray->origin.x, v[1] - ray->origin.y, v[2] - ray->origin.z);
-        WideVec b = wide_vec(w[0] - ray->origin.x, w[1] - ray->origin.y, w[2] - ray->origin.z);
+        global const real *v = row + k, *w = row + (k + 1) % 4;
+        WideVec a = wide_vec((wide)v[0] - ray->origin.x, (wide)v[4] - ray->origin.y, (wide)v[8] - ray->origin.z);
+        WideVec b = wide_vec((wide)w[0] - ray->origin.x, (wide)w[4] - ray->origin.y, (wide)w[8] - ray->origin.z);
         WideVec c = wide_vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
         near |= ~IS(fabs(wide_dot(ray->direction, c)) > bound);
     }

@@ -278,7 +278,7 @@ static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray
         nearest[p] = nothing_yet();
     }
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
-    Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_largest(direction) : (Lanes)0));
+    Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_magnitudes(direction) : (Lanes)0));
     find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS, 0), false, close, counters);
     return exact_hit(g, ray, nearest, active);
 }

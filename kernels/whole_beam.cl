@@ -8,7 +8,7 @@
 typedef struct WholeBeam {
     real apex[3], size;
     real la[3], lb[3], l[3], side_slack;
-    real c[3], u[3], v[3], moment_slack, direction_slack, height_slack;
+    real c[3], u[3], v[3], moment_slack, apex_slack, height_slack;
 } WholeBeam;
 
 INLINE void real_row(Point p, real *row)
@@ -37,7 +37,7 @@ static WholeBeam whole_beam(const Shading *s, const Beam *b)
     real_row(v, whole.v);
     whole.side_slack = (real)(12 * REAL_ROUNDING * crossed + 4 * WIDE_SLACK * b->extent[0] * b->extent[1] * b->width * b->length);
     whole.moment_slack = (real)(16 * REAL_ROUNDING * (cs + us + vs));
-    whole.direction_slack = 2 * whole.size * whole.moment_slack + (real)(2 * WIDE_SLACK * farthest * b->length);
+    whole.apex_slack = 2 * whole.size * whole.moment_slack + (real)(2 * WIDE_SLACK * farthest * b->length);
     whole.height_slack = (real)((8 * REAL_ROUNDING + WIDE_SLACK) * farthest);
     return whole;
 }
@@ -47,31 +47,29 @@ INLINE real4 along_row(const real *row, real4 x, real4 y, real4 z)
     return fma((real4)row[0], x, fma((real4)row[1], y, row[2] * z));
 }
 
+/* A face's vertices as seen from the apex. */
+typedef struct Corners {
+    real4 x, y, z;
+} Corners;
+
 /* Is the whole beam on the outer side of an edge? */
-INLINE bool is_outside(const WholeBeam *b, global const real *row)
+INLINE bool is_outside(const WholeBeam *b, global const real *row, Corners v)
 {
     global const real *n = row + FACE_NORMAL;
-    real height = n[0] * b->apex[0] + n[1] * b->apex[1] + n[2] * b->apex[2] + row[FACE_OFFSET];
+    real height = -(n[0] * v.x.x + n[1] * v.y.x + n[2] * v.z.x);
     if (!(fabs(height) > b->height_slack))
         return false;
-    real4 ax = (real4)b->apex[0], ay = (real4)b->apex[1], az = (real4)b->apex[2];
-    real4 ex = vload4(0, row + EDGE_DIRECTION), ey = vload4(1, row + EDGE_DIRECTION), ez = vload4(2, row + EDGE_DIRECTION);
-    real4 x = fma(ey, az, fma(-ez, ay, vload4(0, row + EDGE_MOMENT)));
-    real4 y = fma(ez, ax, fma(-ex, az, vload4(1, row + EDGE_MOMENT)));
-    real4 z = fma(ex, ay, fma(-ey, ax, vload4(2, row + EDGE_MOMENT)));
-    real4 middle = along_row(b->c, x, y, z), spread = fabs(along_row(b->u, x, y, z)) + fabs(along_row(b->v, x, y, z));
-    real doubt = b->moment_slack * row[FACE_MOMENT_BOUND] + b->direction_slack * row[FACE_DIRECTION_BOUND];
-    return any((height > 0 ? middle : -middle) > spread + doubt);
+    EdgeMoments m = edge_moments(row, v.x, v.y, v.z);
+    real4 middle = along_row(b->c, m.x, m.y, m.z);
+    real4 spread = fabs(along_row(b->u, m.x, m.y, m.z)) + fabs(along_row(b->v, m.x, m.y, m.z));
+    real edge = edge_bound(face_bits(row)), size = fabs(v.x.x) + fabs(v.y.x) + fabs(v.z.x) + 2 * edge;
+    return any((height > 0 ? middle : -middle) > spread + (b->moment_slack * size + b->apex_slack) * edge);
 }
 
 /* Is the whole face beyond one of the beam's sides? */
-INLINE bool is_beside(const WholeBeam *b, global const float *vertices)
+INLINE bool is_beside(const WholeBeam *b, Corners v)
 {
-    float8 first = vload8(0, vertices);
-    float4 last = vload4(2, vertices);
-    real4 x = (real4)(first.s0, first.s3, first.s6, last.s1) - b->apex[0];
-    real4 y = (real4)(first.s1, first.s4, first.s7, last.s2) - b->apex[1];
-    real4 z = (real4)(first.s2, first.s5, last.s0, last.s3) - b->apex[2];
+    real4 x = v.x, y = v.y, z = v.z;
     real4 la = along_row(b->la, x, y, z), lb = along_row(b->lb, x, y, z);
     real4 limit = along_row(b->l, x, y, z) + b->side_slack * (fabs(x) + fabs(y) + fabs(z) + b->size);
     return all(la > limit) || all(-la > limit) || all(lb > limit) || all(-lb > limit);
@@ -79,7 +77,9 @@ INLINE bool is_beside(const WholeBeam *b, global const float *vertices)
 
 INLINE bool is_clear_of(const Geometry *g, const WholeBeam *b, int face)
 {
-    return is_outside(b, g->edges + (size_t)face * FACE_REALS) || is_beside(b, g->faces[face].vertices);
+    global const real *row = face_row(g, face);
+    Corners v = {of_vertices(row, 0) - b->apex[0], of_vertices(row, 1) - b->apex[1], of_vertices(row, 2) - b->apex[2]};
+    return is_outside(b, row, v) || is_beside(b, v);
 }
 
 #endif

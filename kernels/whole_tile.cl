@@ -45,7 +45,7 @@ INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const
     real4 begin_low = (real4)INFINITY, begin_high = begin_low;
     ApexFace face;
     if (from >= 0) {
-        if (see_face(a, g->edges + (size_t)from * FACE_REALS, false, false, &face) != SIGHT_CLEAR)
+        if (see_face(a, face_row(g, from), false, false, &face) != SIGHT_CLEAR)
             return false;
         real4 begin = corner_depths(&face, c);
         begin_low = begin - face.depth_error;
@@ -66,7 +66,7 @@ INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const
             int i = face_in_leaf(tree, k);
             if (i == from || i == w->face)
                 continue;
-            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, false, from < 0, &face);
+            Sight sight = see_face(a, face_row(g, i), false, from < 0, &face);
             if (sight == SIGHT_DOUBTFUL)
                 return false;
             if (sight == SIGHT_NONE) {
@@ -109,7 +109,7 @@ INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, 
     if (outside)
         bundle_leave_out_sides(&b, true);
     Stack stack = stack_of(tree, &b);
-    real doubt = DOUBT_OF(spread / light->largest);
+    real doubt = DOUBT_OF(spread / light->length);
     uint asked = 0, backs = 0;
     for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
         asked += (uint)count;
@@ -120,7 +120,7 @@ INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, 
             if (i == from)
                 continue;
             ApexFace face;
-            Sight sight = see_face(light, g->edges + (size_t)i * FACE_REALS, true, outside, &face);
+            Sight sight = see_face(light, face_row(g, i), true, outside, &face);
             if (sight == SIGHT_DOUBTFUL)
                 return SHADE_SOME;
             if (sight == SIGHT_NONE) {
@@ -286,15 +286,15 @@ INLINE bool shade_whole(const Geometry *g, const Shading *s, const ScreenPlaces 
         if (asking) {
             Corners c;
             real x = (real)(position[0] - flight->camera.eye[0]), y = (real)(position[1] - flight->camera.eye[1]);
-            real z = (real)(position[2] - flight->camera.eye[2]), largest = 0;
+            real z = (real)(position[2] - flight->camera.eye[2]), longest = 0;
             for (int k = 0; k < 4; k++) {
                 c.x[k] = hit->corners.x[k] - x;
                 c.y[k] = hit->corners.y[k] - y;
                 c.z[k] = hit->corners.z[k] - z;
-                largest = GREATER(largest, GREATER(fabs(c.x[k]), GREATER(fabs(c.y[k]), fabs(c.z[k]))));
+                longest = GREATER(longest, c.x[k] * c.x[k] + c.y[k] * c.y[k] + c.z[k] * c.z[k]);
             }
             real spread = hit->error + 2 * REAL_ROUNDING * GREATER(fabs(x), GREATER(fabs(y), fabs(z)));
-            Apex a = apex_at(position, 0, largest);
+            Apex a = apex_at(position, 0, sqrt(longest) * (1 + 4 * REAL_ROUNDING));
             counters->kinds[COUNT_SHADOW] += lanes;
             Shade shadow = find_shade(g, s->tree, &a, &c, spread, surface->only, flight->bounces == 0, lanes, counters);
             if (shadow == SHADE_ALL)
@@ -342,10 +342,9 @@ NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlace
         const Camera *camera = &flight.camera;
         bool from_eye = flight.bounces == 0;
         int from = from_eye ? -1 : flight.mirrors[flight.bounces - 1];
-        real largest = from_eye ? s->view[VIEW_LARGEST] : 2 * s->view[VIEW_LARGEST];
-        real far = s->view[VIEW_FARTHEST];
-        Apex a = apex_at(camera->eye, 0, largest);
-        a.spread = (real)(flight.bounces * 256 * WIDE_ROUNDING) * (fabs(a.x) + fabs(a.y) + fabs(a.z) + far);
+        real far = (real)(fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2])) + s->view[VIEW_FARTHEST];
+        real spread = (real)(flight.bounces * 256 * WIDE_ROUNDING) * far;
+        Apex a = apex_at(camera->eye, spread, s->view[VIEW_LENGTH] * (1 + 4 * REAL_ROUNDING));
         Corners corners = camera_corners(camera, places);
         uint lanes = 0;
         Mask active[PACKETS];

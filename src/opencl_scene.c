@@ -7,7 +7,9 @@
 
 #include <float.h>
 #include <pthread.h>
+#include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { MIN_PARALLEL = 1 << 14 }; /* fewer faces are packed sooner than threads start */
 
@@ -53,49 +55,38 @@ static Vec3 low_part(const Reals *reals, Vec3 v)
 
 static double sum_of_magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 
-/* One of four vectors whose x, y and z stand side by side. */
-static void put_column(Reals *reals, size_t index, Vec3 v)
+/* The upper half of a float that is no less than the bound, and so large that no device takes it for zero. */
+static uint32_t bound_bits(double bound)
 {
-    put(reals, index, v.x);
-    put(reals, index + 4, v.y);
-    put(reals, index + 8, v.z);
+    float rounded = (float)(bound * (1 + 4 * (double)FLT_EPSILON) + 0x1p-120);
+    uint32_t bits;
+    memcpy(&bits, &rounded, sizeof bits);
+    return bits / 0x10000 + (bits % 0x10000 > 0);
 }
 
-/* The plane as the fast filter of rays from one point uses it: what rounding takes from N and D is in that filter's bound, how
- * far the vertices are from the plane is in FACE_WARP. */
-static void put_filter_plane(Reals *edges, size_t row, const Face *face, const Plane *plane, int back)
+/* FACE_BITS; the bounds take in their own rounding. */
+static uint32_t face_bits(const Face *face, const Plane *plane, bool closed)
 {
-    Vec3 corner = face_vertex(face, 0);
-    double warp = 0x1p-50 * sum_of_magnitudes(corner); /* the rounding of N and D in double */
-    for (int k = 1; k < 4; k++) {
-        Vec3 to = vec3_sub(face_vertex(face, k), corner);
-        warp = fmax(warp, fabs(vec3_dot(plane->normal, to)) + 0x1p-48 * sum_of_magnitudes(to) + 0x1p-50 * sum_of_magnitudes(corner));
-    }
-    put_vec3(edges, row + FACE_NORMAL, plane->normal);
-    put(edges, row + FACE_OFFSET, -vec3_dot(plane->normal, corner));
-    put(edges, row + FACE_WARP, warp * (1 + 4 * (double)FLT_EPSILON));
-    put(edges, row + FACE_BACK_IS, back);
-}
-
-/* The bounds cover the stored values' own errors: one rounding to real, which is relative to the value, and those of the
- * arithmetic in double, which are relative to |a| |direction| even where the moment cancels to nothing. */
-static void put_edges(Reals *edges, size_t row, const Face *face)
-{
-    double double_error = edges->precision == PRECISION_DOUBLE ? 1 : 0x1p-26;
-    double moment_bound = 0, direction_bound = 0;
+    double longest = 0, warp = 0;
     for (int k = 0; k < 4; k++) {
-        int edge = k < face->vertex_count ? k : 0; /* a triangle's fourth row repeats its first edge */
-        Vec3 a = face_vertex(face, edge), b = face_vertex(face, (edge + 1) % face->vertex_count);
-        Vec3 direction = vec3_sub(b, a), moment = vec3_cross(a, direction); /* = a x b, with less cancellation */
-        put_column(edges, row + EDGE_MOMENT + (size_t)k, moment);
-        put_column(edges, row + EDGE_DIRECTION + (size_t)k, direction);
-        double cancelled = double_error * sum_of_magnitudes(a) * sum_of_magnitudes(direction);
-        moment_bound = fmax(moment_bound, sum_of_magnitudes(moment) + cancelled);
-        direction_bound = fmax(direction_bound, sum_of_magnitudes(direction));
+        Vec3 v = face_vertex(face, k), from_first = vec3_sub(v, face_vertex(face, 0));
+        longest = fmax(longest, sum_of_magnitudes(vec3_sub(face_vertex(face, (k + 1) % 4), v)));
+        warp = fmax(warp, fabs(vec3_dot(plane->normal, from_first)) + 0x1p-48 * sum_of_magnitudes(from_first));
     }
-    /* Rounded up, since the bounds must hold, and never so small that a moment which underflows escapes it. */
-    put(edges, row + FACE_MOMENT_BOUND, moment_bound * (1 + 4 * (double)FLT_EPSILON) + 0x1p-100);
-    put(edges, row + FACE_DIRECTION_BOUND, direction_bound * (1 + 4 * (double)FLT_EPSILON));
+    uint32_t even_warp = (bound_bits(warp) + 1) & ~FACE_BACK_INSIDE;
+    return bound_bits(longest) << 16 | even_warp | (face->vertex_count == 3 ? FACE_TRIANGLE : 0) |
+           (face->front_only ? FACE_BACK_OPEN : closed ? FACE_BACK_INSIDE : 0);
+}
+
+static void put_face(Reals *rows, size_t row, const Face *face, const Plane *plane, bool closed)
+{
+    for (int k = 0; k < 4; k++)
+        for (int axis = 0; axis < 3; axis++)
+            put(rows, row + FACE_VERTICES + 4 * (size_t)axis + (size_t)k, (double)face->vertices[k][axis]);
+    put_vec3(rows, row + FACE_NORMAL, plane->normal);
+    uint32_t bits = face_bits(face, plane, closed);
+    size_t real_size = rows->precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float);
+    memcpy((char *)rows->data + (row + FACE_BITS) * real_size, &bits, sizeof bits);
 }
 
 static void put_plane(Reals *planes, size_t row, const Plane *plane)
@@ -123,8 +114,6 @@ static void pack_face(DeviceScene *packed, const Scene *scene, const unsigned ch
 {
     const Face *face = &scene->faces[index];
     FaceRecord *record = &packed->faces[i];
-    for (int k = 0; k < 12; k++)
-        record->vertices[k] = face->vertices[k / 3][k % 3];
     record->material = face->material;
     record->front_only = face->front_only;
     record->index = index;
@@ -134,9 +123,7 @@ static void pack_face(DeviceScene *packed, const Scene *scene, const unsigned ch
         record->box[2 * axis] = box.low[axis];
         record->box[2 * axis + 1] = box.high[axis];
     }
-    put_edges(&packed->edges, (size_t)i * FACE_REALS, face);
-    int back = face->front_only ? BACK_OPEN : closed && closed[index] ? BACK_INSIDE : BACK_LIKE_FRONT;
-    put_filter_plane(&packed->edges, (size_t)i * FACE_REALS, face, &scene->planes[index], back);
+    put_face(&packed->edges, (size_t)i * FACE_REALS, face, &scene->planes[index], closed && closed[index]);
     put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
 }
 
@@ -164,13 +151,11 @@ static void put_view(Reals *reals, int column, Vec3 value)
     put_vec3(reals, (size_t)VIEW_REALS + (size_t)column, low_part(reals, value));
 }
 
-/* No component of a primary ray's direction is larger. */
-static double largest_direction(const View *view)
+/* No primary ray's direction is longer. */
+static double longest_direction(const View *view)
 {
-    const Vec3 f = view->forward, r = view->right, u = view->up;
     double x = view->width / 2, y = view->height / 2;
-    return fmax(fabs(f.x) + fabs(x * r.x) + fabs(y * u.x),
-                fmax(fabs(f.y) + fabs(x * r.y) + fabs(y * u.y), fabs(f.z) + fabs(x * r.z) + fabs(y * u.z)));
+    return sqrt(vec3_dot(view->forward, view->forward) + x * x + y * y);
 }
 
 /* No vertex has larger |x|+|y|+|z|. */
@@ -193,7 +178,7 @@ static void pack_view(Reals *reals, const Scene *scene)
     put_view(reals, VIEW_WIDTH, vec3(view.width, view.height, 0));
     put_view(reals, VIEW_BACKGROUND, scene->shading.background);
     put_view(reals, VIEW_BRIGHTEST, vec3(adaptive_brightest(scene), 0, 0));
-    put(reals, VIEW_LARGEST, largest_direction(&view) * (1 + 4 * (double)FLT_EPSILON));
+    put(reals, VIEW_LENGTH, longest_direction(&view) * (1 + 4 * (double)FLT_EPSILON));
     put(reals, VIEW_FARTHEST, farthest_vertex(scene) * (1 + 4 * (double)FLT_EPSILON));
 }
 

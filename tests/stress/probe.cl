@@ -116,10 +116,10 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
         paths[p].active = p == 0 ? (Mask)-1 : (Mask)0;
     }
     wide eye[3] = {rays[6 * i], rays[6 * i + 1], rays[6 * i + 2]};
-    real largest = 0;
+    real length = 0;
     for (int k = 3; k < 6; k++)
-        largest = fmax(largest, (real)fabs(rays[6 * i + k]));
-    Apex apex = apex_at(eye, 0, largest * (1 + 4 * REAL_ROUNDING));
+        length += (real)fabs(rays[6 * i + k]);
+    Apex apex = apex_at(eye, 0, length * (1 + 4 * REAL_ROUNDING));
     Pencil pencils[PACKETS];
     EACH_PACKET(p) {
         pencils[p].active = paths[p].active;
