@@ -84,13 +84,13 @@ INLINE Camera camera_in_mirror(const Geometry *g, int face, const Camera *camera
 
 /* The rays of a tile's corners. Each component of a direction rises or falls with either place, and so does its rounding: it has
  * its extremes there. */
-typedef struct Corners {
+typedef struct CornerRays {
     real x[4], y[4], z[4];
-} Corners;
+} CornerRays;
 
-INLINE Corners camera_corners(const Camera *c, const ScreenPlaces *places)
+INLINE CornerRays camera_corners(const Camera *c, const ScreenPlaces *places)
 {
-    Corners corners;
+    CornerRays corners;
     for (int i = 0; i < 4; i++) {
         wide x = places->x[i % 2 * (TILE_COLUMNS - 1)], y = places->y[i / 2 * (TILE_ROWS - 1)];
         corners.x[i] = (real)(c->forward[0] + x * c->right[0] + y * c->up[0]);
@@ -109,7 +109,7 @@ INLINE real least_of(real4 a)
 INLINE real most_of(real4 a) { return -least_of(-a); }
 
 /* The bundle of all rays between the corners. spread: no component of an exact direction is farther from theirs. */
-INLINE Bundle bundle_of_corners(const Apex *a, const Corners *c, real spread)
+INLINE Bundle bundle_of_corners(const Apex *a, const CornerRays *c, real spread)
 {
     real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
     real low[3] = {least_of(x) - spread, least_of(y) - spread, least_of(z) - spread};

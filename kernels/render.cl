@@ -312,7 +312,7 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
     for (int j = 0; j < p->grid; j++)
         for (int i = 0; i < p->grid; i++) {
             ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
-            Corners corners = camera_corners(camera, &places);
+            CornerRays corners = camera_corners(camera, &places);
             Bundle seen = bundle_of_corners(apex, &corners, 0);
             if (SKIPS(p, SKIP_EMPTY_TILE) && misses_all(s->tree, &seen)) {
                 see_background(s, inside, sum, counters);

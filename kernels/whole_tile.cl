@@ -13,7 +13,7 @@ enum { WHOLE_BUDGET = 24 }; /* faces that a tile may meet; then it hardly is who
 typedef enum Cover { COVERS_NONE, COVERS_SOME, COVERS_ALL } Cover;
 
 /* What the rays between the corners may meet of a face. `inside`: they pass inside its edges by more than that. */
-INLINE Cover cover(const ApexFace *f, const Corners *c, real error, real inside)
+INLINE Cover cover(const ApexFace *f, const CornerRays *c, real error, real inside)
 {
     real4 x = vload4(0, f->x), y = vload4(0, f->y), z = vload4(0, f->z);
     real4 low = fma((real4)c->x[0], x, fma((real4)c->y[0], y, c->z[0] * z)), high = low;
@@ -26,7 +26,7 @@ INLINE Cover cover(const ApexFace *f, const Corners *c, real error, real inside)
 }
 
 /* 1/t at the corners. */
-INLINE real4 corner_depths(const ApexFace *f, const Corners *c)
+INLINE real4 corner_depths(const ApexFace *f, const CornerRays *c)
 {
     return fma(vload4(0, c->x), (real4)f->nx, fma(vload4(0, c->y), (real4)f->ny, vload4(0, c->z) * f->nz));
 }
@@ -39,7 +39,7 @@ typedef struct Whole {
 } Whole;
 
 /* Finds it; false: they may see several. from: the mirror that the rays come from, -1: they come from the eye. */
-INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const Corners *c, int from, uint lanes, Whole *w,
+INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const CornerRays *c, int from, uint lanes, Whole *w,
                        Counters *counters)
 {
     real4 begin_low = (real4)INFINITY, begin_high = begin_low;
@@ -101,7 +101,7 @@ typedef enum Shade { SHADE_NONE, SHADE_SOME, SHADE_ALL } Shade;
 
 /* How much of the tile's part of a face lies in the shadow of a light, the apex. c: from the light to the corners; no ray ends
  * farther than `spread` from where it says. */
-INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, const Corners *c, real spread, int from, bool outside,
+INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, const CornerRays *c, real spread, int from, bool outside,
                         uint lanes, Counters *counters)
 {
     Bundle b = bundle_of_corners(light, c, spread);
@@ -183,12 +183,12 @@ typedef struct WholeHit {
     Surface surface; /* the same for all packets */
     Vec ahead[PACKETS], v[PACKETS];
     Sketch sketches[PACKETS];
-    Corners corners; /* of the face's part, from the camera's image */
+    CornerRays corners; /* of the face's part, from the camera's image */
     real error;      /* of any point, and of the corners */
 } WholeHit;
 
 /* False: a sketch of it is too rough. */
-INLINE bool sketch_whole(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Camera *camera, const Corners *c,
+INLINE bool sketch_whole(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Camera *camera, const CornerRays *c,
                          bool from_eye, WholeHit *hit)
 {
     int i = hit->face.face;
@@ -284,7 +284,7 @@ INLINE bool shade_whole(const Geometry *g, const Shading *s, const ScreenPlaces 
             blocked[p] = (Mask)0;
         }
         if (asking) {
-            Corners c;
+            CornerRays c;
             real x = (real)(position[0] - flight->camera.eye[0]), y = (real)(position[1] - flight->camera.eye[1]);
             real z = (real)(position[2] - flight->camera.eye[2]), longest = 0;
             for (int k = 0; k < 4; k++) {
@@ -345,7 +345,7 @@ NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlace
         real far = (real)(fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2])) + s->view[VIEW_FARTHEST];
         real spread = (real)(flight.bounces * 256 * WIDE_ROUNDING) * far;
         Apex a = apex_at(camera->eye, spread, s->view[VIEW_LENGTH] * (1 + 4 * REAL_ROUNDING));
-        Corners corners = camera_corners(camera, places);
+        CornerRays corners = camera_corners(camera, places);
         uint lanes = 0;
         Mask active[PACKETS];
         EACH_PACKET(p) {

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BAND_BYTES = 32 << 20, FIRST_BAND_ROWS = 64 };
+enum { BAND_BYTES = 1 << 20, FIRST_BAND_ROWS = 64 }; /* so few that the pages, used again, stay in the cache */
 
 #define BAND_MS 50.0 /* a band should take about this long: progress is smooth, an interrupt is soon obeyed */
 
