@@ -129,7 +129,7 @@ static void face_bits_should_tell_what_a_face_is(void)
 static void face_row_should_hold_the_vertices_as_they_are(void)
 {
     small_scene_material(&small, (Material){.reflection = 0});
-    small_scene_face(&small, 0, face_triangle(vec3(6, 0.1f, 0), vec3(0, 3, -7), vec3(1, 2, 3)));
+    small_scene_face(&small, 0, face_triangle(vec3(6, (double)0.1f, 0), vec3(0, 3, -7), vec3(1, 2, 3)));
     TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
     const float expected[] = {6, 0, 1, 6, 0.1f, 3, 2, 0.1f, 0, -7, 3, 0};
     TEST_ASSERT_EQUAL_FLOAT_ARRAY(expected, floats(&packed.edges) + FACE_VERTICES, 12);
