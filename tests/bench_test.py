@@ -60,7 +60,7 @@ class Speed(BenchTest):
         for key in ("faces", "lights", "trace_ms", "fastest_ms", "slowest_ms", "primary_ms", "unmirrored_ms", "build_ms"):
             self.assertGreaterEqual(scene[key], 0, key)
         self.assertGreater(scene["device_bytes"], 0)
-        self.assertEqual(set(scene["skipped"]), {"mirrors", "tree"})
+        self.assertEqual(set(scene["skipped"]), {"mirrors", "tree", "whole_tile"})
         for kind in scene["skipped"].values():
             self.assertGreater(kind["count"], 0)
             self.assertGreater(kind["done_ms"], 0)

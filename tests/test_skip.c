@@ -159,23 +159,29 @@ static void tiles_beside_the_scene_should_cast_no_rays(void)
     assert_skipped(SKIP_EMPTY_TILE, ACCEL_NONE, 0);
 }
 
-/* Two mirrors that face one another, a box between them that throws a shadow: tiles that are whole for some bounces, or never. */
+/* Between two mirrors that face one another a box throws its shadow: of four tiles some see one wall, in mirror after mirror, in the
+ * light or in the shadow, others a part of the box, or their light is cut by it. */
 static void tiles_that_see_the_same_should_be_traced_by_their_corners(void)
 {
-    int mirror = small_scene_material(&small, (Material){.ambient = {0.1, 0.1, 0.1}, .diffuse = {0.4, 0.5, 0.6}, .specular = {0.3, 0.3, 0.3},
-                                                         .shininess = 40, .reflection = 0.6});
-    small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -1));
-    small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, 2));
-    add_box(small_scene_material(&small, MATT), vec3(0.3, -0.6, -3), vec3(0.5, -0.4, -2.5));
-    small_scene_light(&small, vec3(0.9, 1.5, -2));
-    small.scene.shading.max_bounces = 4;
-    for (int shadow = 0; shadow < 2; shadow++) {
-        small.scene.shading.shadow = shadow ? SHADOW_BLACK : SHADOW_AMBIENT;
-        for (int k = 0; k < 3; k++) {
-            AccelKind accel = (AccelKind[]){ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH}[k];
-            Picture with = render(PRECISION_FLOAT, accel, 0);
-            Picture without = render(PRECISION_FLOAT, accel, 1u << SKIP_WHOLE_TILE);
-            TEST_ASSERT_GREATER_THAN_UINT64(0, with.report.skipped[SKIP_WHOLE_TILE]);
+    uint64_t whole = 0;
+    const float lefts[] = {-11, -7, -2, 1, 4, 8}, heights[] = {-6, 2, -1, 4, -4, 1};
+    for (int k = 0; k < 6; k++) {
+        small_scene_begin(&small);
+        setUp();
+        int mirror = small_scene_material(&small, (Material){.ambient = {0.1, 0.1, 0.1}, .diffuse = {0.4, 0.5, 0.6},
+                                                             .specular = {0.3, 0.3, 0.3}, .shininess = 40, .reflection = 0.6});
+        small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -5));
+        small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, 2));
+        double left = (double)lefts[k], low = (double)heights[k];
+        add_box(small_scene_material(&small, MATT), vec3(left, low, -3), vec3(left + 2, low + 1.5, -2.5));
+        small_scene_light(&small, vec3(0.9, 1.5, 1));
+        small_scene_light(&small, vec3(left + 0.7, low + 0.6, -1.9)); /* close to the box: a large shadow */
+        small.scene.shading.max_bounces = 4;
+        small.scene.shading.shadow = k % 2 ? SHADOW_BLACK : SHADOW_AMBIENT;
+        for (int tree = 0; tree < 2; tree++) {
+            Picture with = render(PRECISION_FLOAT, tree ? ACCEL_BVH : ACCEL_NONE, 0);
+            Picture without = render(PRECISION_FLOAT, tree ? ACCEL_BVH : ACCEL_NONE, 1u << SKIP_WHOLE_TILE);
+            whole += with.report.skipped[SKIP_WHOLE_TILE];
             TEST_ASSERT_EQUAL_UINT64(0, without.report.skipped[SKIP_WHOLE_TILE]);
             TEST_ASSERT_EQUAL_UINT64(without.report.rays.primary, with.report.rays.primary);
             TEST_ASSERT_EQUAL_UINT64(without.report.rays.shadow, with.report.rays.shadow);
@@ -183,6 +189,7 @@ static void tiles_that_see_the_same_should_be_traced_by_their_corners(void)
             TEST_ASSERT_EQUAL_MEMORY(without.rgb, with.rgb, sizeof with.rgb);
         }
     }
+    TEST_ASSERT_GREATER_THAN_UINT64(16 * 12, whole);
     /* In double every ray goes its own way. */
     TEST_ASSERT_EQUAL_UINT64(0, render(PRECISION_DOUBLE, ACCEL_BVH, 0).report.skipped[SKIP_WHOLE_TILE]);
 }
