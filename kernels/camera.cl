@@ -108,6 +108,13 @@ INLINE real least_of(real4 a)
 
 INLINE real most_of(real4 a) { return -least_of(-a); }
 
+/* The length of the longest; those between are no longer. Some may be outside of the picture, and longer than all in it. */
+INLINE real longest_of(const CornerRays *c)
+{
+    real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
+    return sqrt(most_of(x * x + y * y + z * z));
+}
+
 /* The bundle of all rays between the corners. spread: no component of an exact direction is farther from theirs. */
 INLINE Bundle bundle_of_corners(const Apex *a, const CornerRays *c, real spread)
 {

@@ -49,17 +49,28 @@ INLINE Lanes sketch_heights(const Geometry *g, int face, WideVec apex)
     return TO_REAL(n[0] * ((wide)v[0] - apex.x) + n[1] * ((wide)v[4] - apex.y) + n[2] * ((wide)v[8] - apex.z));
 }
 
-/* height: N.(v0 - A); normal: N of the lanes' faces. */
-INLINE Sketch sketch(Vec ahead, Lanes height, Vec normal)
+INLINE real vertex_magnitudes(const Geometry *g, int face)
+{
+    global const real *v = face_row(g, face) + FACE_VERTICES;
+    return fabs(v[0]) + fabs(v[4]) + fabs(v[8]);
+}
+
+/* height: N.(v0 - A), and how far it, and A, may be off; normal: N of the lanes' faces. Where rounding may decide the sign of N.R, or
+ * that of t, there is no bound. */
+INLINE Sketch sketch(Vec ahead, Lanes height, Lanes off, Vec normal)
 {
     Sketch s;
-    Lanes per_approach = 1 / FMA(ahead.x, normal.x, FMA(ahead.y, normal.y, ahead.z * normal.z));
-    Lanes t = height * per_approach;
+    Lanes approach = FMA(ahead.x, normal.x, FMA(ahead.y, normal.y, ahead.z * normal.z));
+    Lanes per_approach = 1 / approach, t = height * per_approach;
     s.length = sqrt(vec_dot(ahead, ahead));
     s.from_apex = vec_scale(t, ahead);
-    s.error = (8 * REAL_ROUNDING) * t * s.length * (1 + s.length * fabs(per_approach));
+    Mask sure = IS(t > (Lanes)0) & IS(fabs(approach) > (16 * REAL_ROUNDING) * s.length);
+    s.error = sure ? ((8 * REAL_ROUNDING) * t * s.length + off) * (1 + s.length * fabs(per_approach)) : (Lanes)INFINITY;
     return s;
 }
+
+/* How far an apex may be off after up to PATH_MAX mirrors, and a height over a plane, for coordinates of that sum of magnitudes. */
+#define SKETCH_OFF(magnitudes) ((real)0x1p-41f * (magnitudes) + (real)0x1p-52f)
 
 /* What the rays' nearest faces are made of, and the sketch of their points. apex: of all rays, or NULL: then of each. */
 INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nearest, Mask active, Vec ahead, const wide *apex,
@@ -70,7 +81,9 @@ INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nea
     surface->with_normal = nearest->with_normal;
     surface->only = first_of(faces, active);
     surface->only_material = g->faces[surface->only].material;
-    Lanes height = (Lanes)0;
+    Lanes height = (Lanes)0, off = (Lanes)0, apart = (Lanes)0;
+    if (SKETCHED)
+        apart = apex ? (Lanes)(real)(fabs(apex[0]) + fabs(apex[1]) + fabs(apex[2])) : TO_REAL(wide_magnitudes(*apexes));
     bool first = true;
     for (Mask rest = active; ANY(rest); first = false) {
         int face = first ? surface->only : first_of(faces, rest), material = g->faces[face].material;
@@ -79,26 +92,30 @@ INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nea
         global const wide *plane = g->planes + (size_t)face * PLANE_REALS;
         Vec normal = vec((Lanes)(real)plane[0], (Lanes)(real)plane[1], (Lanes)(real)plane[2]);
         Lanes reflection = (Lanes)s->materials[(size_t)material * MATERIAL_REALS + MATERIAL_REFLECTION];
-        Lanes its_height = (Lanes)0;
-        if (SKETCHED)
+        Lanes its_height = (Lanes)0, its_off = (Lanes)0;
+        if (SKETCHED) {
             its_height = apex ? (Lanes)sketch_height(g, face, apex) : sketch_heights(g, face, *apexes);
+            its_off = SKETCH_OFF(apart + vertex_magnitudes(g, face));
+        }
         if (first) { /* mostly there is one face */
             surface->normal = normal;
             surface->reflection = reflection;
             surface->material = (Mask)material;
             height = its_height;
+            off = its_off;
             continue;
         }
         surface->normal = vec_select(here, normal, surface->normal);
         surface->reflection = here ? reflection : surface->reflection;
         surface->material = here ? (Mask)material : surface->material;
         height = here ? its_height : height;
+        off = here ? its_off : off;
         surface->only = -1;
         if (material != surface->only_material)
             surface->only_material = -1;
     }
     if (SKETCHED)
-        *drawn = sketch(ahead, height, surface->normal);
+        *drawn = sketch(ahead, height, off, surface->normal);
     Vec n = surface->normal;
     surface->normal = vec_select(surface->with_normal, vec(-n.x, -n.y, -n.z), n);
 }

@@ -15,6 +15,8 @@ typedef enum Cover { COVERS_NONE, COVERS_SOME, COVERS_ALL } Cover;
 /* What the rays between the corners may meet of a face. `inside`: they pass inside its edges by more than that. */
 INLINE Cover cover(const ApexFace *f, const CornerRays *c, real error, real inside)
 {
+    if (!(error < (real)1e30f))
+        return COVERS_SOME; /* nothing below overflows: there is no NaN */
     real4 x = vload4(0, f->x), y = vload4(0, f->y), z = vload4(0, f->z);
     real4 low = fma((real4)c->x[0], x, fma((real4)c->y[0], y, c->z[0] * z)), high = low;
     for (int i = 1; i < 4; i++) {
@@ -45,7 +47,7 @@ INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const
     real4 begin_low = (real4)INFINITY, begin_high = begin_low;
     ApexFace face;
     if (from >= 0) {
-        if (see_face(a, face_row(g, from), false, false, &face) != SIGHT_CLEAR)
+        if (see_face(a, face_row(g, from), true, false, &face) != SIGHT_CLEAR)
             return false;
         real4 begin = corner_depths(&face, c);
         begin_low = begin - face.depth_error;
@@ -99,6 +101,13 @@ INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const
 
 typedef enum Shade { SHADE_NONE, SHADE_SOME, SHADE_ALL } Shade;
 
+INLINE Shade shade_counted(Shade shade, uint asked, uint backs, Counters *counters)
+{
+    counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
+    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += backs;
+    return shade;
+}
+
 /* How much of the tile's part of a face lies in the shadow of a light, the apex. c: from the light to the corners; no ray ends
  * farther than `spread` from where it says. */
 INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, const CornerRays *c, real spread, int from, bool outside,
@@ -114,7 +123,7 @@ INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, 
     for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
         asked += (uint)count;
         if (asked > WHOLE_BUDGET)
-            return SHADE_SOME;
+            return shade_counted(SHADE_SOME, asked, 0, counters);
         for (int k = first; k < first + count; k++) {
             int i = face_in_leaf(tree, k);
             if (i == from)
@@ -122,7 +131,7 @@ INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, 
             ApexFace face;
             Sight sight = see_face(light, face_row(g, i), true, outside, &face);
             if (sight == SIGHT_DOUBTFUL)
-                return SHADE_SOME;
+                return shade_counted(SHADE_SOME, asked, 0, counters);
             if (sight == SIGHT_NONE) {
                 backs += face.closed;
                 continue;
@@ -135,14 +144,11 @@ INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, 
             if (most_of(depths) + error < 1)
                 continue; /* beyond the points */
             if (covers != COVERS_ALL || !(least_of(depths) - error > 1))
-                return SHADE_SOME;
-            counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
-            return SHADE_ALL;
+                return shade_counted(SHADE_SOME, asked, 0, counters);
+            return shade_counted(SHADE_ALL, asked, lanes * backs, counters);
         }
     }
-    counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
-    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes * backs;
-    return SHADE_NONE;
+    return shade_counted(SHADE_NONE, asked, lanes * backs, counters);
 }
 
 /* A tile on its way from mirror to mirror. */
@@ -209,14 +215,16 @@ INLINE bool sketch_whole(const Geometry *g, const Shading *s, const ScreenPlaces
     vstore4(t * x, 0, hit->corners.x);
     vstore4(t * y, 0, hit->corners.y);
     vstore4(t * z, 0, hit->corners.z);
-    real longest = sqrt(most_of(x * x + y * y + z * z));
-    hit->error = (8 * REAL_ROUNDING) * most_of(t) * longest * (1 + longest * most_of(fabs(per_approach)));
+    real longest = longest_of(c);
+    wide apart = fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2]);
+    real off = SKETCH_OFF((real)apart + vertex_magnitudes(g, i));
+    hit->error = ((8 * REAL_ROUNDING) * most_of(t) * longest + off) * (1 + longest * most_of(fabs(per_approach)));
     wide eye[3] = {view_value(s, VIEW_EYE), view_value(s, VIEW_EYE + 1), view_value(s, VIEW_EYE + 2)};
     Vec eye_from_apex = from_apexes(eye, camera->eye, 0);
     bool fine = true;
     EACH_PACKET(p) {
         hit->ahead[p] = vec_to_real(camera_direction(camera, places, p));
-        hit->sketches[p] = sketch(hit->ahead[p], (Lanes)height, normal);
+        hit->sketches[p] = sketch(hit->ahead[p], (Lanes)height, (Lanes)off, normal);
         Lanes per_length, share;
         if (s->parameters->viewer_ray || from_eye)
             hit->v[p] = vec_scale(-1 / hit->sketches[p].length, hit->ahead[p]);
@@ -278,28 +286,32 @@ INLINE bool shade_whole(const Geometry *g, const Shading *s, const ScreenPlaces 
         Mask blocked[PACKETS];
         EACH_PACKET(p) {
             Lanes share;
+            blocked[p] = (Mask)0;
+            pencils[p] = no_pencil();
+            if (!asking && !facing)
+                continue;
             if (!sketch_towards(hit->sketches + p, at, paths[p].active, &pencils[p].ahead, &pencils[p].per_end, &share))
                 return false;
             pencils[p].doubt = DOUBT_OF(share);
-            blocked[p] = (Mask)0;
         }
         if (asking) {
             CornerRays c;
             real x = (real)(position[0] - flight->camera.eye[0]), y = (real)(position[1] - flight->camera.eye[1]);
-            real z = (real)(position[2] - flight->camera.eye[2]), longest = 0;
+            real z = (real)(position[2] - flight->camera.eye[2]);
             for (int k = 0; k < 4; k++) {
                 c.x[k] = hit->corners.x[k] - x;
                 c.y[k] = hit->corners.y[k] - y;
                 c.z[k] = hit->corners.z[k] - z;
-                longest = GREATER(longest, c.x[k] * c.x[k] + c.y[k] * c.y[k] + c.z[k] * c.z[k]);
             }
             real spread = hit->error + 2 * REAL_ROUNDING * GREATER(fabs(x), GREATER(fabs(y), fabs(z)));
-            Apex a = apex_at(position, 0, sqrt(longest) * (1 + 4 * REAL_ROUNDING));
+            Apex a = apex_at(position, 0, longest_of(&c) * (1 + 4 * REAL_ROUNDING));
             counters->kinds[COUNT_SHADOW] += lanes;
+            uint backs = counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE];
             Shade shadow = find_shade(g, s->tree, &a, &c, spread, surface->only, flight->bounces == 0, lanes, counters);
             if (shadow == SHADE_ALL)
                 facing = false;
             if (shadow == SHADE_SOME) {
+                counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* they are counted again */
                 Mask rest[PACKETS];
                 EACH_PACKET(p) {
                     Vec l = pencils[p].ahead;
@@ -343,9 +355,9 @@ NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlace
         bool from_eye = flight.bounces == 0;
         int from = from_eye ? -1 : flight.mirrors[flight.bounces - 1];
         real far = (real)(fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2])) + s->view[VIEW_FARTHEST];
-        real spread = (real)(flight.bounces * 256 * WIDE_ROUNDING) * far;
-        Apex a = apex_at(camera->eye, spread, s->view[VIEW_LENGTH] * (1 + 4 * REAL_ROUNDING));
+        real spread = (real)flight.bounces * ((real)(256 * WIDE_ROUNDING) * far + 4 * SHIFT_FLOOR);
         CornerRays corners = camera_corners(camera, places);
+        Apex a = apex_at(camera->eye, spread, GREATER(s->view[VIEW_LENGTH], longest_of(&corners)) * (1 + 8 * REAL_ROUNDING));
         uint lanes = 0;
         Mask active[PACKETS];
         EACH_PACKET(p) {
@@ -367,6 +379,8 @@ NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlace
         }
         if (!whole || !sketch_whole(g, s, places, camera, &corners, from_eye, &hit) ||
             !shade_whole(g, s, places, &flight, &hit, paths, colours, lit, counters)) {
+            before.kinds[COUNT_BOX_TESTS] = counters->kinds[COUNT_BOX_TESTS]; /* they were done, if in vain */
+            before.kinds[COUNT_FACE_TESTS] = counters->kinds[COUNT_FACE_TESTS];
             *counters = before;
             break;
         }

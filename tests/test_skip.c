@@ -172,6 +172,7 @@ static void tiles_that_see_the_same_should_be_traced_by_their_corners(void)
                                                              .specular = {0.3, 0.3, 0.3}, .shininess = 40, .reflection = 0.6});
         small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -5));
         small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, 2));
+        small.scene.faces[0].front_only = small.scene.faces[1].front_only = k % 3 == 2;
         double left = (double)lefts[k], low = (double)heights[k];
         add_box(small_scene_material(&small, MATT), vec3(left, low, -3), vec3(left + 2, low + 1.5, -2.5));
         small_scene_light(&small, vec3(0.9, 1.5, 1));
