@@ -84,10 +84,6 @@ INLINE Camera camera_in_mirror(const Geometry *g, int face, const Camera *camera
 
 /* The rays of a tile's corners. Each component of a direction rises or falls with either place, and so does its rounding: it has
  * its extremes there. */
-typedef struct CornerRays {
-    real x[4], y[4], z[4];
-} CornerRays;
-
 INLINE CornerRays camera_corners(const Camera *c, const ScreenPlaces *places)
 {
     CornerRays corners;
@@ -98,30 +94,6 @@ INLINE CornerRays camera_corners(const Camera *c, const ScreenPlaces *places)
         corners.z[i] = (real)(c->forward[2] + x * c->right[2] + y * c->up[2]);
     }
     return corners;
-}
-
-INLINE real least_of(real4 a)
-{
-    real2 b = LESSER(a.lo, a.hi);
-    return LESSER(b.x, b.y);
-}
-
-INLINE real most_of(real4 a) { return -least_of(-a); }
-
-/* The length of the longest; those between are no longer. Some may be outside of the picture, and longer than all in it. */
-INLINE real longest_of(const CornerRays *c)
-{
-    real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
-    return sqrt(most_of(x * x + y * y + z * z));
-}
-
-/* The bundle of all rays between the corners. spread: no component of an exact direction is farther from theirs. */
-INLINE Bundle bundle_of_corners(const Apex *a, const CornerRays *c, real spread)
-{
-    real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
-    real low[3] = {least_of(x) - spread, least_of(y) - spread, least_of(z) - spread};
-    real high[3] = {most_of(x) + spread, most_of(y) + spread, most_of(z) + spread};
-    return bundle_within(a, low, high);
 }
 
 /* The directions R = Q - C of packet k's rays. */

@@ -55,6 +55,9 @@ INLINE real vertex_magnitudes(const Geometry *g, int face)
     return fabs(v[0]) + fabs(v[4]) + fabs(v[8]);
 }
 
+/* How far t R may be off, for R of that length. */
+#define SKETCH_ERROR(t, length, per_approach, off) (((8 * REAL_ROUNDING) * (t) * (length) + (off)) * (1 + (length) * (per_approach)))
+
 /* height: N.(v0 - A), and how far it, and A, may be off; normal: N of the lanes' faces. Where rounding may decide the sign of N.R, or
  * that of t, there is no bound. */
 INLINE Sketch sketch(Vec ahead, Lanes height, Lanes off, Vec normal)
@@ -65,7 +68,7 @@ INLINE Sketch sketch(Vec ahead, Lanes height, Lanes off, Vec normal)
     s.length = sqrt(vec_dot(ahead, ahead));
     s.from_apex = vec_scale(t, ahead);
     Mask sure = IS(t > (Lanes)0) & IS(fabs(approach) > (16 * REAL_ROUNDING) * s.length);
-    s.error = sure ? ((8 * REAL_ROUNDING) * t * s.length + off) * (1 + s.length * fabs(per_approach)) : (Lanes)INFINITY;
+    s.error = sure ? SKETCH_ERROR(t, s.length, fabs(per_approach), off) : (Lanes)INFINITY;
     return s;
 }
 
@@ -200,6 +203,12 @@ INLINE Vec illuminate(const Shading *s, const Surface *surface, global const rea
     return colour;
 }
 
+INLINE void light_position(global const real *light, wide *position)
+{
+    for (int axis = 0; axis < 3; axis++)
+        position[axis] = (wide)light[LIGHT_POSITION + axis] + (wide)light[LIGHT_POSITION_LOW + axis];
+}
+
 INLINE bool has_only_ambient(global const real *light)
 {
     bool only = true;
@@ -254,8 +263,8 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
     }
     for (int i = 0; i < s->parameters->light_count; i++) {
         global const real *light = s->lights + i * LIGHT_REALS;
-        wide position[3] = {(wide)light[0] + (wide)light[3], (wide)light[1] + (wide)light[4],
-                            (wide)light[2] + (wide)light[5]};
+        wide position[3];
+        light_position(light, position);
         LightSide side = {-1, 0};
         bool only_ambient = SKIPS(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && has_only_ambient(light);
         Pencil pencils[PACKETS];

@@ -195,6 +195,16 @@ static void tiles_that_see_the_same_should_be_traced_by_their_corners(void)
     TEST_ASSERT_EQUAL_UINT64(0, render(PRECISION_DOUBLE, ACCEL_BVH, 0).report.skipped[SKIP_WHOLE_TILE]);
 }
 
+static void tiles_should_go_on_whole_from_one_sided_mirrors(void)
+{
+    int mirror = small_scene_material(&small, (Material){.diffuse = {0.4, 0.5, 0.6}, .reflection = 0.5});
+    small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -5))->front_only = true;
+    small_scene_light(&small, vec3(1, 3, 0));
+    Picture picture = render(PRECISION_FLOAT, ACCEL_NONE, 0);
+    TEST_ASSERT_EQUAL_UINT64(16 * 12, picture.report.rays.reflection);
+    TEST_ASSERT_EQUAL_UINT64(2 * 16 * 12, picture.report.skipped[SKIP_WHOLE_TILE]);
+}
+
 static void lights_without_colour_should_be_left_out(void)
 {
     small_scene_face(&small, small_scene_material(&small, MATT), face_at_height(-50, -50, 50, 50, -5));
@@ -352,6 +362,7 @@ int main(void)
     RUN_TEST(bounce_that_cannot_change_a_byte_should_end_the_path);
     RUN_TEST(tiles_beside_the_scene_should_cast_no_rays);
     RUN_TEST(tiles_that_see_the_same_should_be_traced_by_their_corners);
+    RUN_TEST(tiles_should_go_on_whole_from_one_sided_mirrors);
     RUN_TEST(lights_without_colour_should_be_left_out);
     RUN_TEST(light_without_colour_should_stay_where_paths_go_on_from_it);
     RUN_TEST(faces_that_no_ray_can_hit_should_be_left_out);
