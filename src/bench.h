@@ -5,6 +5,7 @@
 
 #include "bench_folder.h"
 #include "image.h"
+#include "opencl.h"
 #include "render.h"
 #include "scene.h"
 
@@ -72,7 +73,7 @@ bool bench_settle(BenchScene *scene, Error *error);
 bool bench_trace(BenchTrace *result, const BenchScene *scene, const BenchPlan *plan, Error *error);
 
 /* One picture of ours; `picture`, of the scene's size, is filled where it is not NULL. */
-bool bench_trace_once(const Scene *scene, const RenderSettings *settings, Image *picture, RenderReport *report, Error *error);
+bool bench_trace_once(OpenclScene *held, Image *picture, RenderReport *report, Error *error);
 
 /* Measures what is left out of a scene that was traced into the result. */
 bool bench_skips(BenchTrace *result, const Scene *scene, const BenchPlan *plan, Error *error);

@@ -37,9 +37,9 @@ static bool keep_band(void *user, int first_row, int rows, const unsigned char *
     return true;
 }
 
-bool bench_trace_once(const Scene *scene, const RenderSettings *settings, Image *picture, RenderReport *report, Error *error)
+bool bench_trace_once(OpenclScene *held, Image *picture, RenderReport *report, Error *error)
 {
-    return opencl_render(scene, settings, (BandSink){keep_band, picture}, report, error);
+    return opencl_picture(held, (BandSink){keep_band, picture}, report, error);
 }
 
 /* --- The peer --- */
@@ -122,24 +122,38 @@ static bool peer_finish(Process *peer, BenchTrace *result, const BenchPlan *plan
 
 /* --- Ours --- */
 
-/* Both in turn. */
-static bool trace_in_turns(BenchTrace *result, const Scene *scene, const BenchPlan *plan, Process *peer, Image *picture,
+/* Builds the scene's tree again and again; what it holds then has been built last. */
+static OpenclScene *hold_in_turns(BenchTrace *result, const Scene *scene, const BenchPlan *plan, Error *error)
+{
+    OpenclScene *held = NULL;
+    double builds[BENCH_MAX_REPEATS];
+    for (int i = 0; i < plan->repeats; i++) {
+        opencl_release(held);
+        held = opencl_hold(scene, &plan->settings, error);
+        if (!held)
+            return NULL;
+        builds[i] = opencl_held_report(held)->build_ms;
+    }
+    result->build_ms = bench_median(builds, plan->repeats);
+    return held;
+}
+
+/* Both in turn. Each side holds its scene, ready to be traced, as long as this lasts. */
+static bool trace_in_turns(BenchTrace *result, OpenclScene *held, const BenchPlan *plan, Process *peer, Image *picture,
                            Error *error)
 {
     int repeats = plan->repeats;
-    double ours[BENCH_MAX_REPEATS], builds[BENCH_MAX_REPEATS], theirs[BENCH_MAX_REPEATS];
+    double ours[BENCH_MAX_REPEATS], theirs[BENCH_MAX_REPEATS];
     for (int i = -1; i < repeats; i++) { /* -1: to warm up */
         int at = i < 0 ? 0 : i;
-        if (!bench_trace_once(scene, &plan->settings, picture, &result->report, error) ||
+        if (!bench_trace_once(held, picture, &result->report, error) ||
             (peer->pid && !peer_trace(peer, &theirs[at], error)))
             return false;
         ours[at] = result->report.trace_ms;
-        builds[at] = result->report.build_ms;
     }
     result->trace_ms = bench_median(ours, repeats);
     result->fastest_ms = ours[0];
     result->slowest_ms = ours[repeats - 1];
-    result->build_ms = bench_median(builds, repeats);
     if (peer->pid)
         result->peer_trace_ms = bench_median(theirs, repeats);
     return true;
@@ -148,15 +162,17 @@ static bool trace_in_turns(BenchTrace *result, const Scene *scene, const BenchPl
 static bool trace_median(const Scene *scene, const BenchPlan *plan, double *ms, uint64_t *shadow, Error *error)
 {
     double times[BENCH_MAX_REPEATS];
-    for (int i = 0; i < plan->repeats; i++) {
+    OpenclScene *held = opencl_hold(scene, &plan->settings, error);
+    bool ok = held != NULL;
+    for (int i = -1; i < plan->repeats && ok; i++) { /* -1: to warm up */
         RenderReport report;
-        if (!bench_trace_once(scene, &plan->settings, NULL, &report, error))
-            return false;
-        times[i] = report.trace_ms;
+        ok = bench_trace_once(held, NULL, &report, error);
+        times[i < 0 ? 0 : i] = report.trace_ms;
         *shadow = report.rays.shadow;
     }
-    *ms = bench_median(times, plan->repeats);
-    return true;
+    opencl_release(held);
+    *ms = ok ? bench_median(times, plan->repeats) : 0;
+    return ok;
 }
 
 /* The time of a kind of ray is the time that the picture takes longer with it. */
@@ -216,9 +232,11 @@ bool bench_trace(BenchTrace *result, const BenchScene *wanted, const BenchPlan *
         scene_free(&scene);
         return error_memory(error, "the picture");
     }
-    bool done = peer_start(&peer, result, plan, error) &&
-                trace_in_turns(result, &scene, plan, &peer, &picture, error) &&
-                (!result->has_peer || peer_finish(&peer, result, plan, &picture, error)) &&
+    OpenclScene *held = hold_in_turns(result, &scene, plan, error);
+    bool done = held && peer_start(&peer, result, plan, error) &&
+                trace_in_turns(result, held, plan, &peer, &picture, error);
+    opencl_release(held);
+    done = done && (!result->has_peer || peer_finish(&peer, result, plan, &picture, error)) &&
                 trace_by_kind(result, &scene, plan, error) && (!plan->skips || bench_skips(result, &scene, plan, error));
     process_end(&peer);
     image_free(&picture);

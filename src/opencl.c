@@ -29,7 +29,18 @@ typedef struct Pixels {
     void *read;         /* bytes, or reals of the session's precision */
     unsigned char *rgb; /* the same as `read` where that is bytes */
     double *linear;     /* the whole picture's, or NULL */
+    int most_rows;
 } Pixels;
+
+struct OpenclScene {
+    OpenclSession session;
+    LeanScene lean;
+    SceneOnDevice on_device;
+    Pixels pixels;
+    Refinement refinement;
+    cl_kernel kernel;
+    RenderReport report; /* of what is done once */
+};
 
 /* Bytes of a value on the device. */
 static size_t value_bytes(const OpenclSession *session)
@@ -59,34 +70,44 @@ static bool read_band(OpenclSession *session, const Pixels *pixels, const Parame
     return true;
 }
 
-/* In an adaptive session the kernel renders the pixels' centres first, then those pixels that need more. */
-static bool render_bands(OpenclSession *session, const Scene *scene, const SceneOnDevice *on_device, cl_kernel kernel,
-                         const Refinement *refinement, const Pixels *pixels, int most_rows, BandSink sink, RenderReport *report,
-                         Error *error)
+static Parameters parameters_of(const OpenclScene *held)
 {
-    Parameters parameters = opencl_parameters(scene);
-    parameters.no_skip = (int)session->no_skip;
-    if (session->adaptive)
-        parameters.generator = adaptive_generator(adaptive_samples(scene->grid));
-    size_t tiles_across = (size_t)((parameters.columns + session->tile_columns - 1) / session->tile_columns);
-    int band = FIRST_BAND_ROWS < most_rows ? FIRST_BAND_ROWS : most_rows;
-    if (!opencl_warm_up(session, on_device, kernel, parameters, report, error))
+    Parameters parameters = opencl_parameters(&held->lean.scene);
+    parameters.no_skip = (int)held->session.no_skip;
+    if (held->session.adaptive)
+        parameters.generator = adaptive_generator(adaptive_samples(held->lean.scene.grid));
+    return parameters;
+}
+
+/* In an adaptive session the kernel renders the pixels' centres first, then those pixels that need more. */
+static bool render_band(OpenclScene *held, Parameters *band, RenderReport *report, Error *error)
+{
+    OpenclSession *session = &held->session;
+    int grid = held->lean.scene.grid;
+    size_t across = (size_t)((band->columns + session->tile_columns - 1) / session->tile_columns);
+    size_t down = (size_t)((band->band_rows + session->tile_rows - 1) / session->tile_rows);
+    size_t items = (across * down + (size_t)session->tiles_per_item - 1) / (size_t)session->tiles_per_item;
+    band->grid = session->adaptive ? 1 : grid;
+    if (!opencl_launch(session, &held->on_device, held->kernel, band, items, report, error))
         return false;
+    band->grid = session->adaptive ? adaptive_samples(grid) : grid;
+    return (!session->adaptive || opencl_refine(session, &held->on_device, held->kernel, &held->refinement, *band, report, error)) &&
+           read_band(session, &held->pixels, band, report, error);
+}
+
+bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Error *error)
+{
+    *report = held->report;
+    Parameters parameters = parameters_of(held);
+    int most = held->pixels.most_rows, band = FIRST_BAND_ROWS < most ? FIRST_BAND_ROWS : most;
     for (int row = 0; row < parameters.rows; row += parameters.band_rows) {
         parameters.first_row = row;
         parameters.band_rows = band < parameters.rows - row ? band : parameters.rows - row;
-        parameters.grid = session->adaptive ? 1 : scene->grid;
-        size_t tiles_down = (size_t)((parameters.band_rows + session->tile_rows - 1) / session->tile_rows);
         double before = report->trace_ms;
-        size_t items = (tiles_across * tiles_down + (size_t)session->tiles_per_item - 1) / (size_t)session->tiles_per_item;
-        if (!opencl_launch(session, on_device, kernel, &parameters, items, report, error))
+        if (!render_band(held, &parameters, report, error) ||
+            !sink.band(sink.user, row, parameters.band_rows, held->pixels.rgb, report, error))
             return false;
-        parameters.grid = session->adaptive ? adaptive_samples(scene->grid) : scene->grid;
-        if ((session->adaptive && !opencl_refine(session, on_device, kernel, refinement, parameters, report, error)) ||
-            !read_band(session, pixels, &parameters, report, error) ||
-            !sink.band(sink.user, row, parameters.band_rows, pixels->rgb, report, error))
-            return false;
-        band = next_band(band, most_rows, report->trace_ms - before);
+        band = next_band(band, most, report->trace_ms - before);
     }
     return true;
 }
@@ -105,50 +126,80 @@ static int band_limit(const OpenclSession *session, const Scene *scene)
     return rows;
 }
 
-static bool render_session(OpenclSession *session, const Scene *scene, const RenderSettings *settings, BandSink sink,
-                           RenderReport *report, Error *error)
+/* Room for a band, here and on the device. */
+static bool make_pixels(OpenclScene *held, double *linear, Error *error)
 {
-    SceneOnDevice on_device;
-    if (!opencl_prepare(session, "render", scene, settings, &on_device, report, error))
+    OpenclSession *session = &held->session;
+    Pixels *pixels = &held->pixels;
+    pixels->linear = linear;
+    pixels->most_rows = band_limit(session, &held->lean.scene);
+    size_t values = (size_t)pixels->most_rows * (size_t)held->lean.scene.screen.columns * 3, bytes = values * value_bytes(session);
+    pixels->device = opencl_buffer(session, CL_MEM_READ_WRITE, bytes, NULL, error);
+    if (!pixels->device)
         return false;
-    int most_rows = band_limit(session, scene);
-    size_t values = (size_t)most_rows * (size_t)scene->screen.columns * 3, bytes = values * value_bytes(session);
-    Pixels pixels = {.device = opencl_buffer(session, CL_MEM_READ_WRITE, bytes, NULL, error),
-                     .linear = settings->linear};
-    if (!pixels.device)
-        return false;
-    pixels.read = malloc(bytes);
-    pixels.rgb = session->linear ? malloc(values) : pixels.read;
-    Refinement refinement = {0};
-    bool ok = ((pixels.read && pixels.rgb) || error_memory(error, "a band of the picture")) &&
-              (!session->adaptive || opencl_refinement(&refinement, session, values / 3, error));
+    pixels->read = malloc(bytes);
+    pixels->rgb = session->linear ? malloc(values) : pixels->read;
+    return ((pixels->read && pixels->rgb) || error_memory(error, "a band of the picture")) &&
+           (!session->adaptive || opencl_refinement(&held->refinement, session, values / 3, error));
+}
+
+static bool make_kernel(OpenclScene *held, Error *error)
+{
+    const SceneOnDevice *on_device = &held->on_device;
     /* The last two are for render_adaptive only. */
-    cl_mem arguments[] = {on_device.parameters, on_device.faces,       on_device.edges,     on_device.planes,
-                          on_device.materials,  on_device.lights,      on_device.view,      pixels.device,
-                          on_device.counters,   on_device.tree_floats, on_device.tree_ints, refinement.flags,
-                          refinement.list};
-    int argument_count = (int)(sizeof arguments / sizeof arguments[0]) - (session->adaptive ? 0 : 2);
-    const char *name = session->adaptive ? "render_adaptive" : "render";
-    cl_kernel kernel = ok ? opencl_kernel(session, name, arguments, argument_count, error) : NULL;
-    ok = kernel && render_bands(session, scene, &on_device, kernel, &refinement, &pixels, most_rows, sink, report, error);
-    if (kernel)
-        clReleaseKernel(kernel);
-    opencl_refinement_free(&refinement);
-    if (pixels.rgb != pixels.read)
-        free(pixels.rgb);
-    free(pixels.read);
-    return ok;
+    cl_mem arguments[] = {on_device->parameters, on_device->faces,       on_device->edges,     on_device->planes,
+                          on_device->materials,  on_device->lights,      on_device->view,      held->pixels.device,
+                          on_device->counters,   on_device->tree_floats, on_device->tree_ints, held->refinement.flags,
+                          held->refinement.list};
+    bool adaptive = held->session.adaptive;
+    int count = (int)(sizeof arguments / sizeof arguments[0]) - (adaptive ? 0 : 2);
+    held->kernel = opencl_kernel(&held->session, adaptive ? "render_adaptive" : "render", arguments, count, error);
+    return held->kernel != NULL;
+}
+
+OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Error *error)
+{
+    OpenclScene *held = calloc(1, sizeof *held);
+    if (!held) {
+        error_memory(error, "a scene on a device");
+        return NULL;
+    }
+    held->session = (OpenclSession){.linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
+    if (lean_scene_make(&held->lean, scene, settings, &held->report, error) &&
+        opencl_prepare(&held->session, "render", &held->lean.scene, settings, &held->on_device, &held->report, error) &&
+        make_pixels(held, settings->linear, error) && make_kernel(held, error) &&
+        opencl_warm_up(&held->session, &held->on_device, held->kernel, parameters_of(held), &held->report, error))
+        return held;
+    opencl_release(held);
+    return NULL;
+}
+
+const RenderReport *opencl_held_report(const OpenclScene *held)
+{
+    return &held->report;
+}
+
+void opencl_release(OpenclScene *held)
+{
+    if (!held)
+        return;
+    if (held->kernel)
+        clReleaseKernel(held->kernel);
+    opencl_refinement_free(&held->refinement);
+    if (held->pixels.rgb != held->pixels.read)
+        free(held->pixels.rgb);
+    free(held->pixels.read);
+    opencl_close(&held->session);
+    lean_scene_free(&held->lean);
+    free(held);
 }
 
 bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
                    Error *error)
 {
     memset(report, 0, sizeof *report);
-    OpenclSession session = {.linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
-    LeanScene lean;
-    bool ok = lean_scene_make(&lean, scene, settings, report, error) &&
-              render_session(&session, &lean.scene, settings, sink, report, error);
-    opencl_close(&session);
-    lean_scene_free(&lean);
+    OpenclScene *held = opencl_hold(scene, settings, error);
+    bool ok = held && opencl_picture(held, sink, report, error);
+    opencl_release(held);
     return ok;
 }

@@ -19,8 +19,24 @@ typedef struct DeviceInfo {
  * No platform or no device is an ERROR_SYSTEM that says what to install. */
 bool opencl_devices(DeviceInfo **devices, int *count, Error *error);
 
-/* Renders the scene on the device that the settings name. Errors: no such device, no double on it, a kernel that does
- * not compile (with the compiler's log), memory, any failing call by name. */
+/* A scene on the device that the settings name, with its tree and its kernel, for one picture after another. */
+typedef struct OpenclScene OpenclScene;
+
+/* Puts it there; the scene must outlive it. NULL, with the error filled: no such device, no double on it, a kernel that does not
+ * compile (with the compiler's log), memory, any failing call by name. */
+OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Error *error);
+
+/* Renders it. The report tells, besides this picture, what was done once for all. Errors: memory, any failing call by name, those of the
+ * sink. */
+bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Error *error);
+
+/* What was done once for all. */
+const RenderReport *opencl_held_report(const OpenclScene *held);
+
+/* NULL is allowed. */
+void opencl_release(OpenclScene *held);
+
+/* All three for a single picture. */
 bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error);
 
 /* Intersects `count` rays, six doubles each (origin, direction) in scene coordinates, with the scene's faces. */

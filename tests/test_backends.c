@@ -307,6 +307,31 @@ static void kernel_should_give_the_same_bytes_each_time(void)
     scene_free(&scene);
 }
 
+static void scene_that_is_held_should_give_one_picture_after_another(void)
+{
+    Scene scene = load(RICH_SCENE);
+    resize(&scene, 70, 50, 1);
+    RenderSettings settings = {.device = -1};
+    Picture once = render(&scene, BACKEND_OPENCL, settings), again = once;
+    again.rgb = malloc(picture_bytes(&once));
+    TEST_ASSERT_NOT_NULL(again.rgb);
+    OpenclScene *held = opencl_hold(&scene, &settings, &error);
+    TEST_ASSERT_NOT_NULL_MESSAGE(held, error.text);
+    for (int i = 0; i < 3; i++) {
+        again.next_row = 0;
+        memset(again.rgb, 0, picture_bytes(&again));
+        TEST_ASSERT_TRUE_MESSAGE(opencl_picture(held, (BandSink){take_band, &again}, &again.report, &error), error.text);
+        TEST_ASSERT_EQUAL_MEMORY(once.rgb, again.rgb, picture_bytes(&once));
+        TEST_ASSERT_EQUAL_UINT64_MESSAGE(once.report.rays.shadow, again.report.rays.shadow, "counted anew for each picture");
+        TEST_ASSERT_EQUAL_UINT64(once.report.face_tests, again.report.face_tests);
+        TEST_ASSERT_EQUAL_UINT64(opencl_held_report(held)->device_bytes, again.report.device_bytes);
+    }
+    opencl_release(held);
+    free(once.rgb);
+    free(again.rgb);
+    scene_free(&scene);
+}
+
 static bool refuse_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
                         Error *e)
 {
@@ -345,6 +370,7 @@ int main(void)
     RUN_TEST(tall_pictures_should_come_in_several_bands);
     RUN_TEST(reference_should_give_the_same_bytes_on_any_number_of_threads);
     RUN_TEST(kernel_should_give_the_same_bytes_each_time);
+    RUN_TEST(scene_that_is_held_should_give_one_picture_after_another);
     RUN_TEST(sink_that_fails_should_stop_the_rendering);
     return UNITY_END();
 }
