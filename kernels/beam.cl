@@ -149,8 +149,8 @@ NOINLINE void beam_from_point(const Geometry *g, const Beam *beam, int face, Poi
 
 /* --- Linear functions of the direction --- */
 
-/* w.d over a beam: between w.c -+ extent, and in doubt by `doubt` for each unit of a lane's length, and by `rounding`, that to real,
- * for each unit of its direction. */
+/* w.d over a beam: between w.c -+ extent, and in doubt by `doubt` for each unit of a lane's length, and by `rounding`, that to
+ * real, for each unit of its direction. */
 typedef struct Linear {
     real x, y, z;
     real extent, doubt, rounding;

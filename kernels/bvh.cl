@@ -22,8 +22,8 @@ INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
     stack->enter[i] = enter;
 }
 
-/* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. left_out: those of them that
- * it need not. */
+/* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. left_out: those of them
+ * that it need not. */
 INLINE uint children_met(const Tree *tree, const Bundle *b, int node, int part, Lanes *enter, uint *left_out)
 {
     IntLanes children = LOAD(tree->ints + (size_t)node * NODE_WIDTH + part), key = LEAF_KEY(children);
@@ -93,6 +93,16 @@ INLINE Stack stack_of(const Tree *tree, const Bundle *b)
     stack.enter[0] = 0;
     stack.count = 1;
     return stack;
+}
+
+/* Puts back the leaf that was taken last. */
+INLINE void put_back(Stack *stack) { stack->count++; }
+
+/* For rays whose t has another unit. */
+INLINE void forget_distances(Stack *stack)
+{
+    for (int i = 0; i < stack->count; i++)
+        stack->enter[i] = 0;
 }
 
 INLINE int face_in_leaf(const Tree *tree, int i) { return i; }

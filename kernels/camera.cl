@@ -7,6 +7,22 @@ enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PAC
 #define TILES_ACROSS(p) (((p)->columns + TILE_COLUMNS - 1) / TILE_COLUMNS)
 #define TILES_DOWN(p) (((p)->band_rows + TILE_ROWS - 1) / TILE_ROWS)
 
+/* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. */
+enum { BLOCK_TILES = BLOCK_ACROSS * BLOCK_ACROSS };
+enum { BLOCK_COLUMNS = BLOCK_ACROSS * TILE_COLUMNS, BLOCK_ROWS = BLOCK_ACROSS * TILE_ROWS };
+
+#define BLOCKS_ACROSS(p) (((p)->columns + BLOCK_COLUMNS - 1) / BLOCK_COLUMNS)
+#define BLOCK_COLUMN(p, block) ((block) % BLOCKS_ACROSS(p) * BLOCK_COLUMNS)
+#define BLOCK_ROW(p, block) ((block) / BLOCKS_ACROSS(p) * BLOCK_ROWS)
+
+/* Tile k of a block, tiles of the band numbered row by row; -1: it is outside of the band. */
+INLINE int tile_of_block(constant const Parameters *p, int block, int k)
+{
+    int column = block % BLOCKS_ACROSS(p) * BLOCK_ACROSS + k % BLOCK_ACROSS;
+    int row = block / BLOCKS_ACROSS(p) * BLOCK_ACROSS + k / BLOCK_ACROSS;
+    return column < TILES_ACROSS(p) && row < TILES_DOWN(p) ? row * TILES_ACROSS(p) + column : -1;
+}
+
 static wide view_value(const Shading *s, int column) { return (wide)s->view[column] + (wide)s->view[VIEW_REALS + column]; }
 
 static WideVec view_vec(const Shading *s, int column)
@@ -29,17 +45,27 @@ typedef struct ScreenPlaces {
     wide x[TILE_COLUMNS], y[TILE_ROWS];
 } ScreenPlaces;
 
+/* The place of sub-column i of a column of pixels, and of sub-row j of a row. */
+INLINE wide screen_x(const Shading *s, int column, int i)
+{
+    constant const Parameters *p = s->parameters;
+    return ((column + (i + (wide)0.5) / p->grid) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
+}
+
+INLINE wide screen_y(const Shading *s, int row, int j)
+{
+    constant const Parameters *p = s->parameters;
+    return ((wide)0.5 - (row + (j + (wide)0.5) / p->grid) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
+}
+
 /* For the sub-pixels (i, j) of each pixel's grid. */
 INLINE ScreenPlaces screen_places(const Shading *s, int first_column, int first_row, int i, int j)
 {
-    constant const Parameters *p = s->parameters;
-    wide sub_column = (i + (wide)0.5) / p->grid, sub_row = (j + (wide)0.5) / p->grid;
-    wide width = view_value(s, VIEW_WIDTH), height = view_value(s, VIEW_HEIGHT);
     ScreenPlaces places;
     for (int column = 0; column < TILE_COLUMNS; column++)
-        places.x[column] = ((first_column + column + sub_column) / (wide)p->columns - (wide)0.5) * width;
+        places.x[column] = screen_x(s, first_column + column, i);
     for (int row = 0; row < TILE_ROWS; row++)
-        places.y[row] = ((wide)0.5 - (first_row + row + sub_row) / (wide)p->rows) * height;
+        places.y[row] = screen_y(s, first_row + row, j);
     return places;
 }
 
@@ -82,17 +108,37 @@ INLINE Camera camera_in_mirror(const Geometry *g, int face, const Camera *camera
     return c;
 }
 
-/* The rays of a tile's corners. Each component of a direction rises or falls with either place, and so does its rounding: it has
- * its extremes there. */
-INLINE CornerRays camera_corners(const Camera *c, const ScreenPlaces *places)
+/* A part of the screen, between two places of columns and two of rows. */
+typedef struct Window {
+    wide x[2], y[2];
+} Window;
+
+INLINE Window window_of_tile(const ScreenPlaces *places)
 {
+    Window w = {{places->x[0], places->x[TILE_COLUMNS - 1]}, {places->y[0], places->y[TILE_ROWS - 1]}};
+    return w;
+}
+
+/* Of all sub-pixels of a block. */
+INLINE Window window_of_block(const Shading *s, int block)
+{
+    constant const Parameters *p = s->parameters;
+    int column = BLOCK_COLUMN(p, block), row = p->first_row + BLOCK_ROW(p, block), last = p->grid - 1;
+    Window w = {{screen_x(s, column, 0), screen_x(s, column + BLOCK_COLUMNS - 1, last)},
+                {screen_y(s, row, 0), screen_y(s, row + BLOCK_ROWS - 1, last)}};
+    return w;
+}
+
+/* The rays of a window's corners. Each component of a direction rises or falls with either place, and so does its rounding: it
+ * has its extremes there. */
+INLINE CornerRays camera_corners(const Camera *c, const Window *window)
+{
+    const wide *x = window->x, *y = window->y, *forward = c->forward, *right = c->right, *up = c->up;
+    wide4 across = (wide4)(x[0], x[1], x[0], x[1]), down = (wide4)(y[0], y[0], y[1], y[1]);
     CornerRays corners;
-    for (int i = 0; i < 4; i++) {
-        wide x = places->x[i % 2 * (TILE_COLUMNS - 1)], y = places->y[i / 2 * (TILE_ROWS - 1)];
-        corners.x[i] = (real)(c->forward[0] + x * c->right[0] + y * c->up[0]);
-        corners.y[i] = (real)(c->forward[1] + x * c->right[1] + y * c->up[1]);
-        corners.z[i] = (real)(c->forward[2] + x * c->right[2] + y * c->up[2]);
-    }
+    vstore4(TO_REAL4(forward[0] + across * right[0] + down * up[0]), 0, corners.x);
+    vstore4(TO_REAL4(forward[1] + across * right[1] + down * up[1]), 0, corners.y);
+    vstore4(TO_REAL4(forward[2] + across * right[2] + down * up[2]), 0, corners.z);
     return corners;
 }
 

@@ -1,6 +1,6 @@
 /* What four rays from an apex tell of all rays between them: those are sums of the four with weights between 0 and 1, and edge
- * functions and 1/t are linear in a ray, so what holds at the corners, holds for all (Reshetov, Soupikov, Hurley, "Multi-Level Ray
- * Tracing Algorithm", 2005). docs/algorithm.md, section 11, whole tiles. */
+ * functions and 1/t are linear in a ray, so what holds at the corners, holds for all (Reshetov, Soupikov, Hurley, "Multi-Level
+ * Ray Tracing Algorithm", 2005). docs/algorithm.md, section 11, whole tiles. */
 
 typedef struct CornerRays {
     real x[4], y[4], z[4];
@@ -62,9 +62,10 @@ typedef struct Whole {
     real low, high; /* 1/t is between these */
 } Whole;
 
-/* Finds it; false: they may see several. from: the mirror that the rays come from, -1: they come from the eye. */
+/* Finds it among the rest. False: they may see several; the rest is then what has not been ruled out. from: the mirror that
+ * the rays come from, -1: they come from the eye. */
 INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const CornerRays *c, int from, uint lanes, Whole *w,
-                       Counters *counters)
+                       Rest *rest, Counters *counters)
 {
     real4 begin_low = (real4)INFINITY, begin_high = begin_low;
     ApexFace face;
@@ -80,25 +81,30 @@ INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const
     Bundle b = bundle_of_corners(a, c, 0);
     if (from < 0)
         bundle_leave_out_sides(&b, false);
-    Stack stack = stack_of(tree, &b);
+    int known = rest->face;
+    rest->face = -1;
     uint asked = 0, backs = 0;
-    for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
-        asked += (uint)count;
-        if (asked > WHOLE_BUDGET)
-            return false;
-        for (int k = first; k < first + count; k++) {
-            int i = face_in_leaf(tree, k);
+    bool stopped = false;
+    for (int first, count; !stopped; known = -1) {
+        if (known >= 0)
+            count = 1;
+        else if (!next_leaf(g, tree, &b, lanes, &rest->stack, &first, &count, counters))
+            break;
+        uint backs_here = 0;
+        stopped = asked + (uint)count > WHOLE_BUDGET;
+        for (int k = 0; k < count && !stopped; k++) {
+            int i = known >= 0 ? known : face_in_leaf(tree, first + k);
             if (i == from || i == w->face)
                 continue;
+            asked++;
             Sight sight = see_face(a, face_row(g, i), false, from < 0, &face);
-            if (sight == SIGHT_DOUBTFUL)
-                return false;
             if (sight == SIGHT_NONE) {
-                backs += face.closed;
+                backs_here += face.closed;
                 continue;
             }
-            Cover covers = cover(&face, c, face.edge_error, (face.closed ? 4 : 1) * face.edge_error);
-            if (covers == COVERS_NONE)
+            stopped = sight == SIGHT_DOUBTFUL;
+            Cover covers = stopped ? COVERS_SOME : cover(&face, c, face.edge_error, (face.closed ? 4 : 1) * face.edge_error);
+            if (covers == COVERS_NONE || stopped)
                 continue;
             real4 depths = corner_depths(&face, c), nearer = depths - face.depth_error, farther = depths + face.depth_error;
             if (least_of(nearer - begin_high) > 0)
@@ -106,56 +112,59 @@ INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const
             real low = least_of(nearer), high = most_of(farther);
             if (high < w->low)
                 continue;
-            if (covers != COVERS_ALL || !(low > w->high) || !(least_of(begin_low - farther) > 0))
-                return false;
-            w->face = i;
+            stopped = covers != COVERS_ALL || !(low > w->high) || !(least_of(begin_low - farther) > 0);
+            if (stopped)
+                continue;
+            w->face = rest->face = i;
             w->with_normal = face.with_normal;
             w->low = low;
             w->high = high;
             bundle_shorten(&b, 1 / low);
         }
+        if (!stopped)
+            backs += backs_here;
+        else if (known >= 0)
+            rest->face = known;
+        else
+            put_back(&rest->stack);
     }
     counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
     counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes * backs;
-    counters->kinds[COUNT_SKIPPED + SKIP_WHOLE_TILE] += lanes;
-    return true;
+    return !stopped;
 }
 
 typedef enum Shade { SHADE_NONE, SHADE_SOME, SHADE_ALL } Shade;
 
-INLINE Shade shade_counted(Shade shade, uint asked, uint backs, Counters *counters)
-{
-    counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
-    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += backs;
-    return shade;
-}
-
-/* How much of the part of a face between the corners lies in the shadow of a light, the apex. c: from the light to the corners; no ray ends
- * farther than `spread` from where it says. */
-INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, const CornerRays *c, real spread, int from, bool outside,
-                        uint lanes, Counters *counters)
+/* How much of the part of a face between the corners lies in the shadow of a light, the apex. c: from the light to the
+ * corners; no ray ends farther than `spread` from where it says. SHADE_SOME: what may block them is left on the stack. */
+INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, const CornerRays *c, real spread, int from,
+                        bool outside, uint lanes, Stack *stack, Counters *counters)
 {
     Bundle b = bundle_of_corners(light, c, spread);
     bundle_shorten(&b, 1 + 4 * REAL_ROUNDING);
     if (outside)
         bundle_leave_out_sides(&b, true);
-    Stack stack = stack_of(tree, &b);
+    *stack = stack_of(tree, &b);
     real doubt = DOUBT_OF(spread / light->length);
     uint asked = 0, backs = 0;
-    for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
-        asked += (uint)count;
-        if (asked > WHOLE_BUDGET)
-            return shade_counted(SHADE_SOME, asked, 0, counters);
-        for (int k = first; k < first + count; k++) {
+    Shade shade = SHADE_NONE;
+    for (int first, count; shade == SHADE_NONE && next_leaf(g, tree, &b, lanes, stack, &first, &count, counters);) {
+        uint backs_here = 0;
+        if (asked + (uint)count > WHOLE_BUDGET)
+            shade = SHADE_SOME;
+        for (int k = first; k < first + count && shade == SHADE_NONE; k++) {
             int i = face_in_leaf(tree, k);
             if (i == from)
                 continue;
+            asked++;
             ApexFace face;
             Sight sight = see_face(light, face_row(g, i), true, outside, &face);
-            if (sight == SIGHT_DOUBTFUL)
-                return shade_counted(SHADE_SOME, asked, 0, counters);
             if (sight == SIGHT_NONE) {
-                backs += face.closed;
+                backs_here += face.closed;
+                continue;
+            }
+            if (sight == SIGHT_DOUBTFUL) {
+                shade = SHADE_SOME;
                 continue;
             }
             Cover covers = cover(&face, c, doubt * face.edge_error, doubt * face.edge_error);
@@ -165,10 +174,17 @@ INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, 
             real error = doubt * face.depth_error;
             if (most_of(depths) + error < 1)
                 continue; /* beyond the points */
-            if (covers != COVERS_ALL || !(least_of(depths) - error > 1))
-                return shade_counted(SHADE_SOME, asked, 0, counters);
-            return shade_counted(SHADE_ALL, asked, lanes * backs, counters);
+            bool all = covers == COVERS_ALL && least_of(depths) - error > 1;
+            shade = all ? SHADE_ALL : SHADE_SOME;
         }
+        if (shade == SHADE_SOME)
+            put_back(stack);
+        else
+            backs += backs_here;
     }
-    return shade_counted(SHADE_NONE, asked, lanes * backs, counters);
+    if (shade == SHADE_SOME)
+        forget_distances(stack); /* those were shares of the rays' lengths */
+    counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
+    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes * backs;
+    return shade;
 }

@@ -75,6 +75,18 @@ INLINE Stack stack_of(const Tree *tree, const Bundle *b)
     return stack;
 }
 
+/* Puts back the leaf that was taken last. */
+INLINE void put_back(Stack *stack) { stack->count++; }
+
+/* For rays whose t has another unit. */
+INLINE void forget_distances(Stack *stack)
+{
+    for (int i = 0; i < stack->count; i++) {
+        stack->enter[i] = 0;
+        stack->leave[i] = REACH_ALL;
+    }
+}
+
 INLINE int face_in_leaf(const Tree *tree, int i) { return tree->ints[tree->ints[0] + i]; }
 
 /* The next leaf that the bundle meets, nearest first: its faces are those of first .. first + count - 1. False: there is

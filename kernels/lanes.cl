@@ -42,6 +42,12 @@ typedef float8 real8;
 #define SHIFT_FLOOR 0x1p-60f
 #endif
 
+#if REAL_DOUBLE || !HAS_DOUBLE
+#define TO_REAL4(x) (x)
+#else
+#define TO_REAL4(x) convert_float4(x)
+#endif
+
 /* Is that work left out where a scene does not need it? p: the Parameters. */
 #define SKIPS(p, skip) (!((p)->no_skip >> (skip) & 1))
 
@@ -149,6 +155,20 @@ typedef long WideMaskElement;
 #else
 typedef int WideMaskElement;
 #endif
+
+/* The number of each lane. */
+INLINE Mask lane_numbers(void)
+{
+#if LANES == 16
+    return (Mask)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+#elif LANES == 8
+    return (Mask)(0, 1, 2, 3, 4, 5, 6, 7);
+#elif LANES == 4
+    return (Mask)(0, 1, 2, 3);
+#else
+    return 0;
+#endif
+}
 
 /* One compare and one blend each; min() and max() of vectors cost twice that for their handling of NaN. */
 #define LESSER(a, b) ((a) < (b) ? (a) : (b))

@@ -3,7 +3,8 @@
 
 #if ADAPTIVE
 
-/* The directions R = Q - C to sub-pixels (i, j) of the pixels at (column, row), lane by lane: see view_direction in geometry.c. */
+/* The directions R = Q - C to sub-pixels (i, j) of the pixels at (column, row), lane by lane: see view_direction in
+ * geometry.c. */
 static WideVec direction_to(const Shading *s, Wide column, Wide row, Wide i, Wide j)
 {
     constant const Parameters *p = s->parameters;
@@ -49,7 +50,7 @@ INLINE void render_centres(const Geometry *g, const Shading *s, int tile, global
     Bundle seen = bundle_of_rays(&apex, paths, rays);
     begin_paths(paths, rays);
     Camera camera = camera_of(s);
-    trace_paths(g, s, camera.eye, &apex, &seen, 0, paths, rays, trails, counters);
+    trace_paths(g, s, camera.eye, &apex, &seen, 0, paths, rays, 0, trails, counters);
     judge_pixels(g, s, trails, &pixels, even, counters);
     EACH_PACKET(k) {
         int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
@@ -103,7 +104,7 @@ static void trace_samples(const Geometry *g, const Shading *s, const Apex *apex,
     Bundle seen = bundle_of_rays(apex, paths, rays);
     begin_paths(paths, rays);
     Camera camera = camera_of(s);
-    trace_paths(g, s, camera.eye, apex, &seen, 0, paths, rays, 0, counters);
+    trace_paths(g, s, camera.eye, apex, &seen, 0, paths, rays, 0, 0, counters);
     for (int k = 0; k < pixel_count; k++)
         add_samples(pixels + k, paths[k].total, count);
 }
@@ -131,7 +132,7 @@ static void refine(const Geometry *g, const Shading *s, global uchar *rgb, globa
     }
 }
 
-/* A work-item for TILES_PER_ITEM tiles of the band; where refine_count says that there are pixels to refine, one for
+/* A work-item for a block of the band's tiles; where refine_count says that there are pixels to refine, one for
  * PACKETS of them. Both in one kernel, for tracing a path is the most of it, and takes the longest to compile. */
 kernel void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                             global const wide *planes, global const real *materials, global const real *lights,
@@ -145,9 +146,11 @@ kernel void render_adaptive(constant Parameters *parameters, global const FaceRe
     Counters counters = {{0}};
     if (parameters->refine_count > 0)
         refine(&g, &s, rgb, list, &counters);
-    int first = (int)get_global_id(0) * TILES_PER_ITEM, end = min(first + TILES_PER_ITEM, TILES_ACROSS(parameters) * TILES_DOWN(parameters));
-    for (int tile = parameters->refine_count > 0 ? end : first; tile < end; tile++)
-        render_centres(&g, &s, tile, rgb, flags, &counters);
+    for (int k = 0; k < BLOCK_TILES && parameters->refine_count == 0; k++) {
+        int tile = tile_of_block(parameters, (int)get_global_id(0), k);
+        if (tile >= 0)
+            render_centres(&g, &s, tile, rgb, flags, &counters);
+    }
     add_counters(totals, &counters);
 }
 

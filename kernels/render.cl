@@ -28,17 +28,11 @@ typedef int Trail;
 INLINE void trail_add(Trail *trails, int p, Mask faces, Mask active) {}
 #endif
 
-static Mask lane_numbers(void)
-{
-    MaskElement numbers[LANES];
-    for (int i = 0; i < LANES; i++)
-        numbers[i] = i;
-    return LOAD(numbers);
-}
-
 /* Which pixels of packet k of the tile are in the band. */
 INLINE Mask pixels_inside(constant const Parameters *p, int first_column, int first_row, int k)
 {
+    if (first_column + TILE_COLUMNS <= p->columns && first_row + TILE_ROWS <= p->band_rows)
+        return (Mask)-1;
     Mask number = lane_numbers();
     Mask column = first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS;
     Mask row = first_row + PACKET_ROW(k) + number / PACKET_COLUMNS;
@@ -46,8 +40,8 @@ INLINE Mask pixels_inside(constant const Parameters *p, int first_column, int fi
 }
 
 /* The nearest faces of rays that come from images of the eye: those that share one are searched together. */
-INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, real length, Pencil *pencils,
-                           Nearest *nearest, Mask *close, Counters *counters)
+INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, real length, const Rest *left,
+                           Pencil *pencils, Nearest *nearest, Mask *close, Counters *counters)
 {
     Mask rest[PACKETS];
     EACH_PACKET(p)
@@ -83,15 +77,17 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
             nearest[p].limit = 1 / nearest[p].begin;
         }
         Apex a = apex_at(image, -lanes_lowest(-spread), length);
-        find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS, 0), false, close, counters);
+        Bundle all = bundle_from(&a, pencils, PACKETS, 0);
+        Rest begin = rest_of_all(tree, &all);
+        find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, left ? left : &begin, false, close, counters);
     }
     EACH_PACKET(p)
         close[p] = (Mask)-1; /* what is left out is proved for rays from the eye only */
 }
 
-/* The nearest faces of all paths; first from the eye, then from its images. */
+/* The nearest faces of all paths; first from the eye, then from its images. left: what is left to be asked, or NULL: all. */
 INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, const Bundle *seen, const Path *paths,
-                         const Ray *rays, bool from_eye, Nearest *nearest, Mask *close, Counters *counters)
+                         const Ray *rays, bool from_eye, const Rest *left, Nearest *nearest, Mask *close, Counters *counters)
 {
     Pencil pencils[PACKETS];
     EACH_PACKET(p) {
@@ -103,10 +99,13 @@ INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, c
         pencils[p].left = paths[p].left;
         pencils[p].ahead = vec_to_real(rays[p].direction);
     }
-    if (from_eye)
-        find_nearest_from(g, tree, eye, pencils, rays, nearest, *seen, true, close, counters);
-    else
-        find_reflected(g, tree, paths, rays, PLAIN_IS_POOR ? 1 + 4 * REAL_ROUNDING : eye->length * (1 + 4 * REAL_ROUNDING), pencils, nearest, close, counters);
+    if (from_eye) {
+        Rest begin = rest_of_all(tree, seen);
+        find_nearest_from(g, tree, eye, pencils, rays, nearest, seen, left ? left : &begin, true, close, counters);
+    } else {
+        real length = (PLAIN_IS_POOR ? 1 : eye->length) * (1 + 4 * REAL_ROUNDING);
+        find_reflected(g, tree, paths, rays, length, left, pencils, nearest, close, counters);
+    }
 }
 
 /* Paths at their beginning, in the eye. */
@@ -120,17 +119,18 @@ INLINE void begin_paths(Path *paths, const Ray *rays)
     }
 }
 
-/* Adds to each path's total its hits' illuminations, each weighted by the mirrors before it. The rays have been mirrored so many
- * times as `bounces` says; those from the eye, an apex, are the bundle `seen`. trails: one per packet, or NULL. */
+/* Adds to each path's total its hits' illuminations, each weighted by the mirrors before it. The rays have been mirrored so
+ * many times as `bounces` says; those from the eye, an apex, are the bundle `seen`. left: of the first search, as
+ * find_nearest. trails: one per packet, or NULL. */
 TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, const Apex *apex, const Bundle *seen, int bounces,
-                       Path *paths, Ray *rays, Trail *trails, Counters *counters)
+                       Path *paths, Ray *rays, const Rest *left, Trail *trails, Counters *counters)
 {
     constant const Parameters *parameters = s->parameters;
     Vec background = vec_row(s->view + VIEW_BACKGROUND);
-    for (;; bounces++) {
+    for (;; bounces++, left = 0) {
         Nearest nearest[PACKETS];
         Mask close[PACKETS];
-        find_nearest(g, s->tree, apex, seen, paths, rays, bounces == 0, nearest, close, counters);
+        find_nearest(g, s->tree, apex, seen, paths, rays, bounces == 0, left, nearest, close, counters);
 
         Surface surfaces[PACKETS];
         Sketch sketches[PACKETS];
@@ -205,7 +205,7 @@ static void store_pixel(global uchar *picture, int place, real red, real green, 
 }
 
 /* With this build option the picture is three reals a pixel, as they are, instead of three bytes. */
-static void store_packet(global uchar *picture, constant const Parameters *p, int first_column, int first_row, Vec colour)
+INLINE void store_packet(global uchar *picture, constant const Parameters *p, int first_column, int first_row, Vec colour)
 {
     real red[LANES], green[LANES], blue[LANES];
     STORE(colour.x, red);
@@ -255,7 +255,7 @@ INLINE void store_four(int4 packed, global uchar *out)
     ((global Bytes4 *)(out + 8))->value = (uint)rows.y;
 }
 
-static void store_packet(global uchar *rgb, constant const Parameters *p, int first_column, int first_row, Vec colour)
+INLINE void store_packet(global uchar *rgb, constant const Parameters *p, int first_column, int first_row, Vec colour)
 {
     /* Red is the lowest byte of a pixel's number. */
     IntLanes packed = colour_to_byte(colour.x) | colour_to_byte(colour.y) << 8 | colour_to_byte(colour.z) << 16;
@@ -297,9 +297,25 @@ INLINE void see_background(const Shading *s, const Mask *inside, Vec *sum, Count
     }
 }
 
-/* The tile with that number, tiles row by row; rgb: band_rows * columns * 3 bytes. */
-INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, int tile, global uchar *rgb,
-                        Counters *counters)
+/* A block that misses all faces. */
+INLINE void render_background(const Shading *s, int block, uint rays, global uchar *rgb, Counters *counters)
+{
+    constant const Parameters *p = s->parameters;
+    Vec background = vec_row(s->view + VIEW_BACKGROUND), sum = vec(0, 0, 0);
+    int samples = p->grid * p->grid;
+    for (int i = 0; i < samples; i++)
+        sum = vec_add(sum, background);
+    Vec mean = samples > 1 ? vec(sum.x / samples, sum.y / samples, sum.z / samples) : sum;
+    for (int row = 0; row < BLOCK_ROWS; row += PACKET_ROWS)
+        for (int column = 0; column < BLOCK_COLUMNS; column += PACKET_COLUMNS)
+            store_packet(rgb, p, BLOCK_COLUMN(p, block) + column, BLOCK_ROW(p, block) + row, mean);
+    counters->kinds[COUNT_PRIMARY] += rays;
+    counters->kinds[COUNT_SKIPPED + SKIP_EMPTY_TILE] += rays;
+}
+
+/* The tile with that number; rgb: band_rows * columns * 3 bytes. */
+INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Outlook *outlook,
+                        int tile, global uchar *rgb, Counters *counters)
 {
     constant const Parameters *p = s->parameters;
     int first_column = tile % TILES_ACROSS(p) * TILE_COLUMNS, first_row = tile / TILES_ACROSS(p) * TILE_ROWS;
@@ -312,11 +328,14 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
     for (int j = 0; j < p->grid; j++)
         for (int i = 0; i < p->grid; i++) {
             ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
-            CornerRays corners = camera_corners(camera, &places);
-            Bundle seen = bundle_of_corners(apex, &corners, 0);
-            if (SKIPS(p, SKIP_EMPTY_TILE) && misses_all(s->tree, &seen)) {
-                see_background(s, inside, sum, counters);
-                continue;
+            Window window = window_of_tile(&places);
+            CornerRays corners = camera_corners(camera, &window);
+            if (SKIPS(p, SKIP_EMPTY_TILE) && !is_told(outlook)) {
+                Bundle seen = bundle_of_corners(apex, &corners, 0);
+                if (misses_all(s->tree, &seen)) {
+                    see_background(s, inside, sum, counters);
+                    continue;
+                }
             }
             Path paths[PACKETS];
             Ray rays[PACKETS];
@@ -326,16 +345,22 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
             }
             int bounces = 0;
 #if WHOLE_TILES
-            if (!trace_whole(g, s, &places, paths, rays, &bounces, counters))
-                trace_paths(g, s, camera->eye, apex, &seen, bounces, paths, rays, 0, counters);
+            Rest rest;
+            bool done = trace_whole(g, s, &places, outlook, paths, rays, &bounces, &rest, counters);
+            const Rest *left = &rest;
 #else
             EACH_PACKET(k) {
                 rays[k].origin = wide_vec((Wide)camera->eye[0], (Wide)camera->eye[1], (Wide)camera->eye[2]);
                 rays[k].direction = camera_direction(camera, &places, k);
             }
             begin_paths(paths, rays);
-            trace_paths(g, s, camera->eye, apex, &seen, bounces, paths, rays, 0, counters);
+            bool done = false;
+            const Rest *left = 0;
 #endif
+            if (!done) {
+                Bundle seen = bundle_of_corners(apex, &corners, 0);
+                trace_paths(g, s, camera->eye, apex, &seen, bounces, paths, rays, left, 0, counters);
+            }
             EACH_PACKET(k)
                 sum[k] = vec_add(sum[k], paths[k].total);
         }
@@ -346,7 +371,37 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
     }
 }
 
-/* One work-item per TILES_PER_ITEM tiles of the band; surplus work-items do nothing. */
+/* Renders a block of tiles. */
+INLINE void render_block(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, int block, global uchar *rgb,
+                         Counters *counters)
+{
+    constant const Parameters *p = s->parameters;
+    int columns = min(BLOCK_COLUMNS, p->columns - BLOCK_COLUMN(p, block));
+    int rows = min(BLOCK_ROWS, p->band_rows - BLOCK_ROW(p, block));
+    if (rows <= 0)
+        return;
+    Outlook outlook;
+    if (BLOCK_TILES > 1) {
+        uint rays = (uint)(columns * rows) * (uint)(p->grid * p->grid);
+        Window window = window_of_block(s, block);
+        CornerRays corners = camera_corners(camera, &window);
+        Bundle seen = bundle_of_corners(apex, &corners, 0);
+        if (SKIPS(p, SKIP_EMPTY_TILE) && misses_all(s->tree, &seen)) {
+            render_background(s, block, rays, rgb, counters);
+            return;
+        }
+#if WHOLE_TILES
+        look_out(g, s, &window, rays, &outlook, counters);
+#endif
+    }
+    for (int k = 0; k < BLOCK_TILES; k++) {
+        int tile = tile_of_block(p, block, k);
+        if (tile >= 0)
+            render_tile(g, s, apex, camera, &outlook, tile, rgb, counters);
+    }
+}
+
+/* One work-item per block of the band; surplus work-items do nothing. */
 kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                    global const wide *planes, global const real *materials, global const real *lights,
                    global const real *view, global uchar *rgb, volatile global uint *totals,
@@ -358,9 +413,7 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
     Counters counters = {{0}};
     Apex apex = apex_at_eye(&s);
     Camera camera = camera_of(&s);
-    int first = (int)get_global_id(0) * TILES_PER_ITEM, end = min(first + TILES_PER_ITEM, TILES_ACROSS(parameters) * TILES_DOWN(parameters));
-    for (int tile = first; tile < end; tile++)
-        render_tile(&g, &s, &apex, &camera, tile, rgb, &counters);
+    render_block(&g, &s, &apex, &camera, (int)get_global_id(0), rgb, &counters);
     add_counters(totals, &counters);
 }
 

@@ -23,8 +23,8 @@ typedef struct Shading {
     const Tree *tree;
 } Shading;
 
-/* Where rays meet their faces as float can tell it: from their apex, so that it does not matter how far from 0 the scene lies. It serves
- * shading, and shadow rays, where its error is a small enough share of the distance to the light and to the viewer. */
+/* Where rays meet their faces as float can tell it: from their apex, so that it does not matter how far from 0 the scene lies.
+ * It serves shading, and shadow rays, where its error is a small enough share of the distance to the light and to the viewer. */
 #define SKETCHED (!PLAIN_IS_POOR)
 #define SKETCH_MOST ((real)0x1p-14f)
 
@@ -58,8 +58,8 @@ INLINE real vertex_magnitudes(const Geometry *g, int face)
 /* How far t R may be off, for R of that length. */
 #define SKETCH_ERROR(t, length, per_approach, off) (((8 * REAL_ROUNDING) * (t) * (length) + (off)) * (1 + (length) * (per_approach)))
 
-/* height: N.(v0 - A), and how far it, and A, may be off; normal: N of the lanes' faces. Where rounding may decide the sign of N.R, or
- * that of t, there is no bound. */
+/* height: N.(v0 - A), and how far it, and A, may be off; normal: N of the lanes' faces. Where rounding may decide the sign of
+ * N.R, or that of t, there is no bound. */
 INLINE Sketch sketch(Vec ahead, Lanes height, Lanes off, Vec normal)
 {
     Sketch s;
@@ -72,7 +72,8 @@ INLINE Sketch sketch(Vec ahead, Lanes height, Lanes off, Vec normal)
     return s;
 }
 
-/* How far an apex may be off after up to PATH_MAX mirrors, and a height over a plane, for coordinates of that sum of magnitudes. */
+/* How far an apex may be off after up to PATH_MAX mirrors, and a height over a plane, for coordinates of that sum of
+ * magnitudes. */
 #define SKETCH_OFF(magnitudes) ((real)0x1p-41f * (magnitudes) + (real)0x1p-52f)
 
 /* What the rays' nearest faces are made of, and the sketch of their points. apex: of all rays, or NULL: then of each. */
@@ -123,8 +124,8 @@ INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nea
     surface->normal = vec_select(surface->with_normal, vec(-n.x, -n.y, -n.z), n);
 }
 
-/* From the points to a place that lies at `at`, told from the apex: unit vectors, and 1 / their length. False where the sketch is too
- * rough in some active lane. share: the sketch's error as a share of the length. */
+/* From the points to a place that lies at `at`, told from the apex: unit vectors, and 1 / their length. False where the sketch
+ * is too rough in some active lane. share: the sketch's error as a share of the length. */
 INLINE bool sketch_towards(const Sketch *drawn, Vec at, Mask active, Vec *unit, Lanes *per_length, Lanes *share)
 {
     Vec d = vec_sub(at, drawn->from_apex);
@@ -238,7 +239,8 @@ INLINE void aim_shadow_rays(Pencil *pencil, const wide *light, const Sketch *dra
 }
 
 /* The unit vectors to the viewer: back along the ray, or from the point to the eye. */
-INLINE Vec look_back(const Shading *s, const wide *eye, const Sketch *drawn, Vec ahead, bool from_eye, Vec eye_from_apex, Points *points, int p)
+INLINE Vec look_back(const Shading *s, const wide *eye, const Sketch *drawn, Vec ahead, bool from_eye, Vec eye_from_apex,
+                     Points *points, int p)
 {
     bool along_ray = s->parameters->viewer_ray || (from_eye && SKETCHED);
     Vec unit;
@@ -255,7 +257,8 @@ INLINE Vec look_back(const Shading *s, const wide *eye, const Sketch *drawn, Vec
 /* colours: the illumination of the active lanes by all lights; `lit` collects the lanes that some light reaches.
  * close: the lanes whose points rounding may have put into a closed box. apex: of all rays, or NULL: then of each. */
 INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, const Sketch *sketches, const wide *apex,
-                  const Path *paths, Points *points, const Mask *close, const Vec *v, const Mask *active, Vec *colours, Mask *lit, Counters *counters)
+                  const Path *paths, Points *points, const Mask *close, const Vec *v, const Mask *active, Vec *colours, Mask *lit,
+                  Counters *counters)
 {
     EACH_PACKET(p) {
         colours[p] = vec(0, 0, 0);
@@ -288,7 +291,7 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
             pencils[p].left = surfaces[p].face;
             aim_shadow_rays(pencils + p, position, sketches + p, from_apexes(position, apex, &paths[p].apex), points, p);
         }
-        find_blocked(g, s->tree, position, pencils, points, close, asking, blocked, counters);
+        find_blocked(g, s->tree, position, pencils, points, close, asking, 0, blocked, counters);
         EACH_PACKET(p) {
             Mask reaches = facing[p] & ~blocked[p];
             lit[p] |= reaches;

@@ -13,6 +13,8 @@ INLINE void bundle_shorten(Bundle *b, real reach) {}
 INLINE void bundle_leave_out_sides(Bundle *b, bool towards) {}
 INLINE Stack stack_of(const Tree *tree, const Bundle *b) { return 1; }
 INLINE bool misses_all(const Tree *tree, const Bundle *b) { return false; }
+INLINE void put_back(Stack *stack) { *stack = 1; }
+INLINE void forget_distances(Stack *stack) {}
 INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
 
 INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, uint rays, Stack *stack, int *first, int *count,
@@ -33,11 +35,14 @@ INLINE bool any_packet(const Mask *masks)
     return ANY(any);
 }
 
-/* How many faces a large group of rays may meet before it is cut into smaller ones; tuned on the ladder of scenes. */
+/* How many faces a large group of rays may meet before it is cut into smaller ones, each of which goes on where the large one
+ * stopped; tuned on the ladder of scenes. */
 enum { NEAREST_BUDGET = 16, BLOCKED_BUDGET = 12 };
 #define NO_BUDGET 0xffffffffu
+
+/* Groups of shadow rays are cut so often, to directions that are as near to one another as this; the last ones are not cut. */
+enum { NEAR_LEVELS = 3 };
 #define NEAR_MOST ((real)0.1f)
-#define NEAR_LEAST ((real)3e-3f) /* groups of directions so near are cut no more */
 #define NEAR_LESS ((real)0.125f)
 
 /* How far active lanes have to look: to the farthest of their nearest hits. */
@@ -47,11 +52,24 @@ INLINE real farthest(const Nearest *n, Mask active)
     return lowest > 1 / REACH_ALL ? 1 / lowest : REACH_ALL;
 }
 
-/* The nearest faces ahead of the active lanes of the pencils, which come from one apex. False: after more than `budget` faces it
- * gave up; what it has found by then is right but not all. `outside`: as see_face. close: collects the lanes
- * that might need what is left out. */
+/* What a search of all rays of a tile has left to be asked: what `stack` leads to, and one face, -1: none. */
+typedef struct Rest {
+    Stack stack;
+    int face;
+} Rest;
+
+INLINE Rest rest_of_all(const Tree *tree, const Bundle *b)
+{
+    Rest rest = {stack_of(tree, b), -1};
+    return rest;
+}
+
+/* The nearest faces ahead of the active lanes of the pencils, which come from one apex, among the rest. False: after more than
+ * `budget` faces it stopped; what it has not asked then is in `rest`. `outside`: as see_face. close: collects the lanes that
+ * might need what is left out. */
 INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, const Pencil *pencils, const Ray *rays,
-                         Nearest *nearest, Bundle b, int packets, uint budget, bool outside, Mask *close, Counters *counters)
+                         Nearest *nearest, Bundle b, Rest *rest, int packets, uint budget, bool outside, Mask *close,
+                         Counters *counters)
 {
     real reach[PACKETS];
     uint lanes = 0, asked = 0;
@@ -64,11 +82,15 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
         return true;
     if (outside)
         bundle_leave_out_sides(&b, false);
-    Stack stack = stack_of(tree, &b);
-    for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
+    for (int first, count; asked <= budget;) {
+        bool single = rest->face >= 0;
+        if (single)
+            count = 1;
+        else if (!next_leaf(g, tree, &b, lanes, &rest->stack, &first, &count, counters))
+            break;
         asked += (uint)count;
-        for (int k = first; k < first + count; k++) {
-            int i = face_in_leaf(tree, k);
+        for (int k = 0; k < count; k++) {
+            int i = single ? rest->face : face_in_leaf(tree, first + k);
             ApexFace face;
             Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, false, outside, &face);
             if (sight == SIGHT_NONE) {
@@ -92,31 +114,35 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
             }
             bundle_shorten(&b, farthest_reach);
         }
-        if (asked > budget)
-            break;
+        rest->face = -1;
     }
     counters->kinds[COUNT_FACE_TESTS] += lanes * asked;
     return asked <= budget;
 }
 
-/* The same, by packets where all together meet too many faces, and then with what was left out for the lanes in which that
- * might matter, which `close` collects. b: the bundle of all. What is active in the pencils does not stay. */
+/* The same for all packets among the rest; where together they meet too many faces, each goes on by itself. Then all is asked
+ * anew for the lanes in which what was left out might matter, which `close` collects. all: the bundle of all rays. What is
+ * active in the pencils does not stay. */
 INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, Pencil *pencils, const Ray *rays,
-                              Nearest *nearest, Bundle b, bool outside, Mask *close, Counters *counters)
+                              Nearest *nearest, const Bundle *all, const Rest *left, bool outside, Mask *close, Counters *counters)
 {
     EACH_PACKET(p)
         close[p] = (Mask)0;
     int packets = PACKETS;
     uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
+    Rest rest = *left;
     __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets) {
-        if (packets < PACKETS)
-            b = bundle_from(a, pencils + p, 1, 0);
-        if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, packets, budget, outside, close + p, counters)) {
+        Bundle b = packets < PACKETS ? bundle_from(a, pencils + p, 1, 0) : *all;
+        Rest here = rest;
+        if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, &here, packets, budget, outside, close + p,
+                          counters)) {
+            rest = here;
             p = -1;
             packets = 1;
             budget = NO_BUDGET;
         } else if (outside && p + packets == PACKETS && any_packet(close)) {
             outside = false;
+            rest = rest_of_all(tree, all);
             EACH_PACKET(k)
                 pencils[k].active = close[k];
             p = -packets;
@@ -142,26 +168,33 @@ INLINE void like_first(const Pencil *pencils, const Mask *rest, real near, Mask 
     }
 }
 
-/* blocked: collects the active lanes of the pencils whose segments from the point to the target, an apex, a face blocks, strictly
- * between the two; they are active no more. False: after more than `budget` faces it gave up. */
-INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, const wide *target, Pencil *pencils,
-                         Points *points, Mask *blocked, uint budget, bool outside, Counters *counters)
+/* The bundle of shadow rays told from the apex, as far as they go. */
+INLINE Bundle bundle_of_shadow_rays(const Apex *a, const Pencil *pencils)
 {
-    uint asking[PACKETS], lanes = 0, asked = 0;
     Lanes ends = (Lanes)REACH_ALL, doubts = (Lanes)1;
     EACH_PACKET(p) {
         const Pencil *pencil = pencils + p;
-        lanes += asking[p] = mask_count(pencil->active);
         ends = (pencil->active & IS(pencil->per_end < ends)) ? pencil->per_end : ends;
         doubts = (pencil->active & IS(pencil->doubt > doubts)) ? pencil->doubt : doubts;
     }
     real share = SHARE_OF(-lanes_lowest(-doubts));
     Bundle b = bundle_from(a, pencils, PACKETS, share);
     bundle_shorten(&b, (1 + 2 * share) / lanes_lowest(ends));
+    return b;
+}
+
+/* blocked: collects the active lanes of the pencils whose segments from the point to the target, an apex, a face blocks,
+ * strictly between the two, among the faces that `stack` leads to; they are active no more. False: after more than `budget`
+ * faces it stopped; what it has not asked then is on the stack. */
+INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, const wide *target, Pencil *pencils, Points *points,
+                         Mask *blocked, Bundle b, Stack *stack, uint budget, bool outside, Counters *counters)
+{
+    uint asking[PACKETS], lanes = 0, asked = 0;
+    EACH_PACKET(p)
+        lanes += asking[p] = mask_count(pencils[p].active);
     if (outside)
         bundle_leave_out_sides(&b, true);
-    Stack stack = stack_of(tree, &b);
-    for (int first, count; asked <= budget && next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
+    for (int first, count; asked <= budget && next_leaf(g, tree, &b, lanes, stack, &first, &count, counters);) {
         asked += (uint)count;
         for (int k = first; k < first + count; k++) {
             int i = face_in_leaf(tree, k);
@@ -196,40 +229,49 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
     return asked <= budget;
 }
 
-/* The same for the lanes of `rest`, in groups of like directions: the more faces a group meets, the smaller the next ones.
- * Those that are `close` come last, and all faces are asked for them. */
+/* The same for the lanes `asking`, in groups of like directions: one that meets many faces is cut, and its parts go on where
+ * it stopped. Those that are `close` come last, and all faces are asked for them. all: leads to what may block any of them, or
+ * NULL: the root does. */
 NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, Pencil *pencils, Points *points,
-                         const Mask *close, Mask *rest, Mask *blocked, Counters *counters)
+                           const Mask *close, const Mask *asking, const Stack *all, Mask *blocked, Counters *counters)
 {
-    Mask later[PACKETS];
     Apex a = apex_at(target, 0, 1 + 4 * REAL_ROUNDING);
-    real near = NEAR_MOST;
+    Mask rest[NEAR_LEVELS][PACKETS]; /* of the groups that have been cut */
+    Stack stacks[NEAR_LEVELS];
+    real near[NEAR_LEVELS] = {NEAR_MOST};
+    for (int i = 1; i < NEAR_LEVELS; i++)
+        near[i] = near[i - 1] * NEAR_LESS;
     bool outside = true;
     EACH_PACKET(p) {
         blocked[p] = (Mask)0;
-        later[p] = rest[p] & close[p];
-        rest[p] &= ~close[p];
+        rest[0][p] = asking[p] & ~close[p];
     }
-    for (;;) {
-        if (!any_packet(rest)) {
-            if (!outside || !any_packet(later))
+    for (int level = 0;;) {
+        if (!any_packet(rest[level])) {
+            if (level > 0) {
+                level--;
+                continue;
+            }
+            if (!outside)
                 return;
             outside = false;
-            near = NEAR_MOST;
             EACH_PACKET(p)
-                rest[p] = later[p];
+                rest[0][p] = asking[p] & close[p];
+            continue;
         }
         Mask group[PACKETS];
-        like_first(pencils, rest, near, group);
+        like_first(pencils, rest[level], near[level], group);
         EACH_PACKET(p) {
-            rest[p] &= ~group[p];
+            rest[level][p] &= ~group[p];
             pencils[p].active = group[p];
         }
-        bool last = near < NEAR_LEAST;
-        if (!walk_blocked(g, tree, &a, target, pencils, points, blocked, last ? NO_BUDGET : BLOCKED_BUDGET, outside, counters)) {
-            near *= NEAR_LESS;
+        Bundle b = bundle_of_shadow_rays(&a, pencils);
+        Stack stack = level > 0 ? stacks[level] : all ? *all : stack_of(tree, &b);
+        uint budget = level + 1 < NEAR_LEVELS ? BLOCKED_BUDGET : NO_BUDGET;
+        if (!walk_blocked(g, tree, &a, target, pencils, points, blocked, b, &stack, budget, outside, counters)) {
+            stacks[++level] = stack;
             EACH_PACKET(p)
-                rest[p] |= pencils[p].active;
+                rest[level][p] = pencils[p].active;
         }
     }
 }
@@ -279,6 +321,8 @@ static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray
     }
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
     Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_magnitudes(direction) : (Lanes)0));
-    find_nearest_from(g, tree, &a, pencils, rays, nearest, bundle_from(&a, pencils, PACKETS, 0), false, close, counters);
+    Bundle all = bundle_from(&a, pencils, PACKETS, 0);
+    Rest rest = rest_of_all(tree, &all);
+    find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, &rest, false, close, counters);
     return exact_hit(g, ray, nearest, active);
 }

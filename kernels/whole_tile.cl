@@ -1,10 +1,17 @@
-/* Tiles that see the same everywhere: one face, what it mirrors, or nothing. The rays of the four corners stand for all to find
- * the face and the light's way to it (corners.cl), and only shading is done for each. A planar mirror makes of the camera another camera, its image, and the
- * tile goes on with that. What is not the same everywhere is left to render.cl. docs/algorithm.md, section 11. */
+/* Tiles that see the same everywhere: one face, what it mirrors, or nothing. The rays of the four corners stand for all to
+ * find the face and the light's way to it (corners.cl), and only shading is done for each. A planar mirror makes of the camera
+ * another camera, its image, and the tile goes on with that. What is not the same everywhere is left to render.cl.
+ * docs/algorithm.md, section 11. */
 
 #define WHOLE_TILES (SKETCHED && !ADAPTIVE && PACKETS > 1)
 
-#if WHOLE_TILES
+#if !WHOLE_TILES
+
+typedef int Outlook;
+
+INLINE bool is_told(const Outlook *o) { return false; }
+
+#else
 
 /* A tile on its way from mirror to mirror. */
 typedef struct Flight {
@@ -38,14 +45,145 @@ NOINLINE void replay(const Geometry *g, const Shading *s, const ScreenPlaces *pl
     }
 }
 
+/* The part of a face that a window shows. */
+typedef struct Patch {
+    CornerRays corners; /* from the apex */
+    real error;         /* of the corners, and of any point between them */
+} Patch;
+
+/* height, off: as sketch. */
+INLINE Patch patch_on(const Geometry *g, int face, const CornerRays *c, real height, real off)
+{
+    global const wide *plane = g->planes + (size_t)face * PLANE_REALS;
+    real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
+    real4 per_approach = 1 / fma(x, (real4)(real)plane[0], fma(y, (real4)(real)plane[1], z * (real)plane[2]));
+    real4 t = height * per_approach;
+    Patch patch;
+    vstore4(t * x, 0, patch.corners.x);
+    vstore4(t * y, 0, patch.corners.y);
+    vstore4(t * z, 0, patch.corners.z);
+    patch.error = SKETCH_ERROR(most_of(t), longest_of(c), most_of(fabs(per_approach)), off);
+    return patch;
+}
+
+/* How far a face's height may be off. */
+INLINE real patch_off(const Geometry *g, int face, const Camera *camera)
+{
+    wide apart = fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2]);
+    return SKETCH_OFF((real)apart + vertex_magnitudes(g, face));
+}
+
+/* How much of it lies in the shadow of a light. outside, lanes, stack: as find_shade. */
+INLINE Shade find_shade_on(const Geometry *g, const Shading *s, int face, const Patch *patch, const Camera *camera,
+                           const wide *light, bool outside, uint lanes, Stack *stack, Counters *counters)
+{
+    CornerRays c;
+    real x = (real)(light[0] - camera->eye[0]), y = (real)(light[1] - camera->eye[1]), z = (real)(light[2] - camera->eye[2]);
+    for (int k = 0; k < 4; k++) {
+        c.x[k] = patch->corners.x[k] - x;
+        c.y[k] = patch->corners.y[k] - y;
+        c.z[k] = patch->corners.z[k] - z;
+    }
+    real spread = patch->error + 2 * REAL_ROUNDING * GREATER(fabs(x), GREATER(fabs(y), fabs(z)));
+    Apex a = apex_at(light, 0, longest_of(&c) * (1 + 4 * REAL_ROUNDING));
+    return find_shade(g, s->tree, &a, &c, spread, face, outside, lanes, stack, counters);
+}
+
+/* The apex of rays between corners after so many bounces. */
+INLINE Apex apex_of_image(const Shading *s, const Camera *camera, const CornerRays *corners, int bounces)
+{
+    real far = (real)(fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2])) + s->view[VIEW_FARTHEST];
+    real spread = (real)bounces * ((real)(256 * WIDE_ROUNDING) * far + 4 * SHIFT_FLOOR);
+    return apex_at(camera->eye, spread, GREATER(s->view[VIEW_LENGTH], longest_of(corners)) * (1 + 8 * REAL_ROUNDING));
+}
+
+INLINE Rest rest_of_corners(const Tree *tree, const Apex *a, const CornerRays *corners)
+{
+    Bundle all = bundle_of_corners(a, corners, 0);
+    return rest_of_all(tree, &all);
+}
+
+enum { OUTLOOK_BOUNCES = 4, OUTLOOK_LIGHTS = 32 };
+
+/* What the corners of a block of tiles tell of all of them, bounce by bounce. */
+typedef struct Outlook {
+    int bounces; /* so many are told; of the next one `rest` is left to be searched */
+    Whole faces[OUTLOOK_BOUNCES];
+    uint facing[OUTLOOK_BOUNCES]; /* bit i: the face is turned to light i */
+    uint clear[OUTLOOK_BOUNCES];  /* nothing is between */
+    uint dark[OUTLOOK_BOUNCES];   /* something is, everywhere */
+    Rest rest;
+} Outlook;
+
+/* Is it known what the tiles of the block see first? */
+INLINE bool is_told(const Outlook *o) { return o->bounces > 0; }
+
+INLINE bool wants_light(const Shading *s, global const real *light)
+{
+    return !(SKIPS(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && has_only_ambient(light));
+}
+
+/* The lights of bounce number o->bounces. */
+INLINE void look_at_lights(const Geometry *g, const Shading *s, const Camera *camera, const CornerRays *corners, uint rays,
+                           Outlook *o, Counters *counters)
+{
+    const Whole *w = o->faces + o->bounces;
+    Patch patch = patch_on(g, w->face, corners, sketch_height(g, w->face, camera->eye), patch_off(g, w->face, camera));
+    uint facing = 0, clear = 0, dark = 0;
+    for (int i = 0; i < min(s->parameters->light_count, (int)OUTLOOK_LIGHTS); i++) {
+        global const real *light = s->lights + i * LIGHT_REALS;
+        wide position[3];
+        light_position(light, position);
+        wide side = plane_distance_of_point(g, w->face, position);
+        if (w->with_normal ? !(side < 0) : !(side > 0))
+            continue;
+        facing |= 1u << i;
+        if (!wants_light(s, light))
+            continue;
+        Stack stack;
+        uint backs = counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE];
+        Shade shade = find_shade_on(g, s, w->face, &patch, camera, position, o->bounces == 0, rays, &stack, counters);
+        clear |= shade == SHADE_NONE ? 1u << i : 0;
+        dark |= shade == SHADE_ALL ? 1u << i : 0;
+        if (shade == SHADE_SOME)
+            counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* each tile asks them again */
+    }
+    o->facing[o->bounces] = facing;
+    o->clear[o->bounces] = clear;
+    o->dark[o->bounces] = dark;
+}
+
+/* Fills the outlook of a window of so many rays. */
+NOINLINE void look_out(const Geometry *g, const Shading *s, const Window *window, uint rays, Outlook *o, Counters *counters)
+{
+    Camera camera = camera_of(s);
+    for (o->bounces = 0;; o->bounces++) {
+        CornerRays corners = camera_corners(&camera, window);
+        Apex a = apex_of_image(s, &camera, &corners, o->bounces);
+        o->rest = rest_of_corners(s->tree, &a, &corners);
+        Whole *w = o->faces + o->bounces;
+        int from = o->bounces > 0 ? w[-1].face : -1;
+        if (o->bounces == OUTLOOK_BOUNCES || !SKIPS(s->parameters, SKIP_WHOLE_TILE) ||
+            !find_whole(g, s->tree, &a, &corners, from, rays, w, &o->rest, counters))
+            return;
+        if (w->face >= 0)
+            look_at_lights(g, s, &camera, &corners, rays, o, counters);
+        global const real *material = w->face >= 0 ? s->materials + (size_t)g->faces[w->face].material * MATERIAL_REALS : 0;
+        if (!material || material[MATERIAL_REFLECTION] == 0 || o->bounces == s->parameters->max_bounces) {
+            o->bounces++; /* the last one */
+            return;
+        }
+        camera = camera_in_mirror(g, w->face, &camera);
+    }
+}
+
 /* What shading one bounce of a whole tile works on. */
 typedef struct WholeHit {
     Whole face;
     Surface surface; /* the same for all packets */
     Vec v[PACKETS];
     Sketch sketches[PACKETS];
-    CornerRays corners; /* of the face's part, from the camera's image */
-    real error;         /* of any point, and of the corners */
+    Patch patch;
 } WholeHit;
 
 /* False: a sketch of it is too rough. */
@@ -55,7 +193,7 @@ INLINE bool sketch_whole(const Geometry *g, const Shading *s, const ScreenPlaces
     int i = hit->face.face;
     global const wide *plane = g->planes + (size_t)i * PLANE_REALS;
     Vec normal = vec((Lanes)(real)plane[0], (Lanes)(real)plane[1], (Lanes)(real)plane[2]);
-    real height = sketch_height(g, i, camera->eye), sign = hit->face.with_normal ? -1 : 1;
+    real height = sketch_height(g, i, camera->eye), off = patch_off(g, i, camera), sign = hit->face.with_normal ? -1 : 1;
     Surface *surface = &hit->surface;
     surface->face = (Mask)i;
     surface->only = i;
@@ -64,16 +202,7 @@ INLINE bool sketch_whole(const Geometry *g, const Shading *s, const ScreenPlaces
     surface->reflection = (Lanes)s->materials[(size_t)surface->only_material * MATERIAL_REALS + MATERIAL_REFLECTION];
     surface->with_normal = (Mask)(hit->face.with_normal ? -1 : 0);
     surface->normal = vec_scale((Lanes)sign, normal);
-
-    real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
-    real4 per_approach = 1 / fma(x, (real4)(real)plane[0], fma(y, (real4)(real)plane[1], z * (real)plane[2])), t = height * per_approach;
-    vstore4(t * x, 0, hit->corners.x);
-    vstore4(t * y, 0, hit->corners.y);
-    vstore4(t * z, 0, hit->corners.z);
-    real longest = longest_of(c);
-    wide apart = fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2]);
-    real off = SKETCH_OFF((real)apart + vertex_magnitudes(g, i));
-    hit->error = SKETCH_ERROR(most_of(t), longest, most_of(fabs(per_approach)), off);
+    hit->patch = patch_on(g, i, c, height, off);
     wide eye[3] = {view_value(s, VIEW_EYE), view_value(s, VIEW_EYE + 1), view_value(s, VIEW_EYE + 2)};
     Vec eye_from_apex = from_apexes(eye, camera->eye, 0);
     bool fine = true;
@@ -89,9 +218,11 @@ INLINE bool sketch_whole(const Geometry *g, const Shading *s, const ScreenPlaces
     return fine;
 }
 
-/* The lanes that a light does not reach, where neither all are in its shadow nor none. to_light: the pencils turned round. */
-NOINLINE void find_shadow(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Flight *flight, const WholeHit *hit,
-                          const wide *position, const Pencil *to_light, const Path *asking, Mask *blocked, Counters *counters)
+/* The lanes that a light does not reach, where neither all are in its shadow nor none. to_light: the pencils turned round;
+ * stack: leads to what may block them. */
+NOINLINE void find_shadow(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Flight *flight,
+                          const WholeHit *hit, const wide *position, const Pencil *to_light, const Path *asking,
+                          const Stack *stack, Mask *blocked, Counters *counters)
 {
     Path paths[PACKETS];
     Ray rays[PACKETS];
@@ -112,12 +243,13 @@ NOINLINE void find_shadow(const Geometry *g, const Shading *s, const ScreenPlace
     replay(g, s, places, flight, paths, rays);
     Points points;
     points_of(&points, g, rays, nearest, all, flight->bounces == 0);
-    find_blocked(g, s->tree, position, pencils, &points, close, rest, blocked, counters);
+    find_blocked(g, s->tree, position, pencils, &points, close, rest, stack, blocked, counters);
 }
 
-/* The light that the tile's face sends, as `shade` has it. False: the exact points are needed; the caller takes back what was counted. */
-INLINE bool shade_whole(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Flight *flight, const WholeHit *hit,
-                        const Path *paths, Vec *colours, Mask *lit, Counters *counters)
+/* The light that the tile's face sends, as `shade` has it. False: the exact points are needed; the caller takes back what was
+ * counted. */
+INLINE bool shade_whole(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Outlook *outlook,
+                        const Flight *flight, const WholeHit *hit, const Path *paths, Vec *colours, Mask *lit, Counters *counters)
 {
     const Surface *surface = &hit->surface;
     uint lanes = 0;
@@ -132,8 +264,11 @@ INLINE bool shade_whole(const Geometry *g, const Shading *s, const ScreenPlaces 
         light_position(light, position);
         Vec at = from_apexes(position, flight->camera.eye, 0);
         LightSide side = {-1, 0};
-        bool facing = ANY(turned_to_light(g, surface, surface->only, position, &side)), asking = true;
-        if (SKIPS(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && has_only_ambient(light)) {
+        int bounce = flight->bounces;
+        bool told = bounce < outlook->bounces && i < OUTLOOK_LIGHTS, asking = true;
+        bool facing = told ? outlook->facing[bounce] >> i & 1
+                           : ANY(turned_to_light(g, surface, surface->only, position, &side));
+        if (!wants_light(s, light)) {
             counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += facing ? lanes : 0;
             if (SKIPS(s->parameters, SKIP_LIGHT_BEHIND))
                 counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += facing ? 0 : lanes;
@@ -155,41 +290,38 @@ INLINE bool shade_whole(const Geometry *g, const Shading *s, const ScreenPlaces 
             pencils[p].doubt = DOUBT_OF(share);
         }
         if (asking) {
-            CornerRays c;
-            real x = (real)(position[0] - flight->camera.eye[0]), y = (real)(position[1] - flight->camera.eye[1]);
-            real z = (real)(position[2] - flight->camera.eye[2]);
-            for (int k = 0; k < 4; k++) {
-                c.x[k] = hit->corners.x[k] - x;
-                c.y[k] = hit->corners.y[k] - y;
-                c.z[k] = hit->corners.z[k] - z;
-            }
-            real spread = hit->error + 2 * REAL_ROUNDING * GREATER(fabs(x), GREATER(fabs(y), fabs(z)));
-            Apex a = apex_at(position, 0, longest_of(&c) * (1 + 4 * REAL_ROUNDING));
             counters->kinds[COUNT_SHADOW] += lanes;
-            uint backs = counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE];
-            Shade shadow = find_shade(g, s->tree, &a, &c, spread, surface->only, flight->bounces == 0, lanes, counters);
+            Stack stack;
+            Shade shadow;
+            if (told && outlook->clear[bounce] >> i & 1)
+                shadow = SHADE_NONE;
+            else if (told && outlook->dark[bounce] >> i & 1)
+                shadow = SHADE_ALL;
+            else
+                shadow = find_shade_on(g, s, surface->only, &hit->patch, &flight->camera, position, bounce == 0, lanes, &stack,
+                                       counters);
             if (shadow == SHADE_ALL)
                 facing = false;
-            if (shadow == SHADE_SOME) {
-                counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* they are counted again */
-                find_shadow(g, s, places, flight, hit, position, pencils, paths, blocked, counters);
-            }
+            if (shadow == SHADE_SOME)
+                find_shadow(g, s, places, flight, hit, position, pencils, paths, &stack, blocked, counters);
         }
         EACH_PACKET(p) {
             Mask reaches = facing ? paths[p].active & ~blocked[p] : (Mask)0;
             lit[p] |= reaches;
             Mask counted = s->parameters->shadow_ambient ? paths[p].active : reaches;
-            if (ANY(counted))
-                colours[p] = vec_add(colours[p], illuminate(s, surface, light, pencils[p].ahead, hit->v[p], counted, reaches, counters));
+            if (!ANY(counted))
+                continue;
+            Vec sum = illuminate(s, surface, light, pencils[p].ahead, hit->v[p], counted, reaches, counters);
+            colours[p] = vec_add(colours[p], sum);
         }
     }
     return true;
 }
 
-/* Traces the tile as long as it sees the same everywhere; true: to the end. False: paths and rays are as they are where render.cl has to
- * go on, after `bounces`. */
-NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlaces *places, Path *paths, Ray *rays, int *bounces,
-                        Counters *counters)
+/* Traces the tile as long as it sees the same everywhere; true: to the end. False: paths and rays are as they are where
+ * render.cl has to go on, after `bounces`, and `rest` is what is left of their search. */
+NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Outlook *outlook, Path *paths,
+                          Ray *rays, int *bounces, Rest *rest, Counters *counters)
 {
     constant const Parameters *parameters = s->parameters;
     Flight flight;
@@ -199,14 +331,12 @@ NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlace
         paths[p].total = vec(0, 0, 0);
         paths[p].weight = (Lanes)1;
     }
-    for (; SKIPS(parameters, SKIP_WHOLE_TILE); flight.bounces++) {
+    for (;; flight.bounces++) {
         const Camera *camera = &flight.camera;
         bool from_eye = flight.bounces == 0;
         int from = from_eye ? -1 : flight.mirrors[flight.bounces - 1];
-        real far = (real)(fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2])) + s->view[VIEW_FARTHEST];
-        real spread = (real)flight.bounces * ((real)(256 * WIDE_ROUNDING) * far + 4 * SHIFT_FLOOR);
-        CornerRays corners = camera_corners(camera, places);
-        Apex a = apex_at(camera->eye, spread, GREATER(s->view[VIEW_LENGTH], longest_of(&corners)) * (1 + 8 * REAL_ROUNDING));
+        Window window = window_of_tile(places);
+        CornerRays corners = camera_corners(camera, &window);
         uint lanes = 0;
         Mask active[PACKETS];
         EACH_PACKET(p) {
@@ -217,18 +347,31 @@ NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlace
         Vec colours[PACKETS];
         Mask lit[PACKETS];
         Counters before = *counters;
-        bool whole = find_whole(g, s->tree, &a, &corners, from, lanes, &hit.face, counters);
-        if (whole && hit.face.face < 0) {
+        if (flight.bounces < outlook->bounces)
+            hit.face = outlook->faces[flight.bounces];
+        else {
+            Apex a = apex_of_image(s, camera, &corners, flight.bounces);
+            *rest = flight.bounces == outlook->bounces ? outlook->rest : rest_of_corners(s->tree, &a, &corners);
+            if (!SKIPS(parameters, SKIP_WHOLE_TILE) ||
+                !find_whole(g, s->tree, &a, &corners, from, lanes, &hit.face, rest, counters))
+                break;
+        }
+        counters->kinds[COUNT_SKIPPED + SKIP_WHOLE_TILE] += lanes;
+        if (hit.face.face < 0) {
             Vec background = vec_row(s->view + VIEW_BACKGROUND);
-            EACH_PACKET(p)
-                paths[p].total = vec_select(active[p], vec_add(paths[p].total, vec_scale(paths[p].weight, background)), paths[p].total);
+            EACH_PACKET(p) {
+                Vec total = vec_add(paths[p].total, vec_scale(paths[p].weight, background));
+                paths[p].total = vec_select(active[p], total, paths[p].total);
+            }
             return true;
         }
-        if (!whole || !sketch_whole(g, s, places, camera, &corners, from_eye, &hit) ||
-            !shade_whole(g, s, places, &flight, &hit, paths, colours, lit, counters)) {
+        if (!sketch_whole(g, s, places, camera, &corners, from_eye, &hit) ||
+            !shade_whole(g, s, places, outlook, &flight, &hit, paths, colours, lit, counters)) {
             before.kinds[COUNT_BOX_TESTS] = counters->kinds[COUNT_BOX_TESTS]; /* they were done, if in vain */
             before.kinds[COUNT_FACE_TESTS] = counters->kinds[COUNT_FACE_TESTS];
             *counters = before;
+            Apex a = apex_of_image(s, camera, &corners, flight.bounces);
+            *rest = rest_of_corners(s->tree, &a, &corners); /* the search had succeeded, and used it up */
             break;
         }
         bool last = flight.bounces == parameters->max_bounces;

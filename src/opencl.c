@@ -84,15 +84,16 @@ static bool render_band(OpenclScene *held, Parameters *band, RenderReport *repor
 {
     OpenclSession *session = &held->session;
     int grid = held->lean.scene.grid;
-    size_t across = (size_t)((band->columns + session->tile_columns - 1) / session->tile_columns);
-    size_t down = (size_t)((band->band_rows + session->tile_rows - 1) / session->tile_rows);
-    size_t items = (across * down + (size_t)session->tiles_per_item - 1) / (size_t)session->tiles_per_item;
+    size_t across = (size_t)((band->columns + session->block_columns - 1) / session->block_columns);
+    size_t down = (size_t)((band->band_rows + session->block_rows - 1) / session->block_rows);
     band->grid = session->adaptive ? 1 : grid;
-    if (!opencl_launch(session, &held->on_device, held->kernel, band, items, report, error))
+    if (!opencl_launch(session, &held->on_device, held->kernel, band, across * down, report, error))
         return false;
     band->grid = session->adaptive ? adaptive_samples(grid) : grid;
-    return (!session->adaptive || opencl_refine(session, &held->on_device, held->kernel, &held->refinement, *band, report, error)) &&
-           read_band(session, &held->pixels, band, report, error);
+    if (session->adaptive &&
+        !opencl_refine(session, &held->on_device, held->kernel, &held->refinement, *band, report, error))
+        return false;
+    return read_band(session, &held->pixels, band, report, error);
 }
 
 bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Error *error)
@@ -112,17 +113,17 @@ bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Erro
     return true;
 }
 
-/* The most rows of a band: whole tiles of at most BAND_BYTES and OPENCL_MAX_ITEMS in all, at least one tile. */
+/* The most rows of a band: whole blocks of at most BAND_BYTES and OPENCL_MAX_ITEMS in all, at least one block. */
 static int band_limit(const OpenclSession *session, const Scene *scene)
 {
     int pixel_bytes = session->adaptive ? 3 + REFINEMENT_BYTES : 3;
     int rows = BAND_BYTES / (scene->screen.columns * pixel_bytes);
-    int tiles_across = (scene->screen.columns + session->tile_columns - 1) / session->tile_columns;
-    if (rows > OPENCL_MAX_ITEMS / tiles_across * session->tile_rows)
-        rows = OPENCL_MAX_ITEMS / tiles_across * session->tile_rows;
+    int across = (scene->screen.columns + session->block_columns - 1) / session->block_columns;
+    if (rows > OPENCL_MAX_ITEMS / across * session->block_rows)
+        rows = OPENCL_MAX_ITEMS / across * session->block_rows;
     if (rows > scene->screen.rows)
         rows = scene->screen.rows;
-    rows = (rows + session->tile_rows - 1) / session->tile_rows * session->tile_rows;
+    rows = (rows + session->block_rows - 1) / session->block_rows * session->block_rows;
     return rows;
 }
 

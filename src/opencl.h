@@ -22,12 +22,12 @@ bool opencl_devices(DeviceInfo **devices, int *count, Error *error);
 /* A scene on the device that the settings name, with its tree and its kernel, for one picture after another. */
 typedef struct OpenclScene OpenclScene;
 
-/* Puts it there; the scene must outlive it. NULL, with the error filled: no such device, no double on it, a kernel that does not
- * compile (with the compiler's log), memory, any failing call by name. */
+/* Puts it there; the scene, and what settings->linear points to, must outlive it. NULL, with the error filled: no such device,
+ * no double on it, a kernel that does not compile (with the compiler's log), memory, any failing call by name. */
 OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Error *error);
 
-/* Renders it. The report tells, besides this picture, what was done once for all. Errors: memory, any failing call by name, those of the
- * sink. */
+/* Renders it. The report tells, besides this picture, what was done once for all. Errors: memory, any failing call by name,
+ * those of the sink. */
 bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Error *error);
 
 /* What was done once for all. */

@@ -61,9 +61,9 @@ static bool choose_lanes(OpenclSession *session, const RenderSettings *settings,
         session->lanes = settings->lanes;
     session->packet_columns = session->lanes == 16 ? 4 : session->lanes >= 4 ? session->lanes / 2 : 1;
     session->packets_across = session->lanes > 1 ? 2 : 1;
-    session->tiles_per_item = session->lanes > 1 ? 4 : 1;
-    session->tile_columns = session->packet_columns * session->packets_across;
-    session->tile_rows = session->lanes / session->packet_columns * session->packets_across;
+    session->block_across = session->lanes > 1 ? 2 : 1;
+    session->block_columns = session->packet_columns * session->packets_across * session->block_across;
+    session->block_rows = session->lanes / session->packet_columns * session->packets_across * session->block_across;
     return true;
 }
 
@@ -88,10 +88,10 @@ static void write_options(const OpenclSession *session, Variant variant, RenderR
     snprintf(report->build_options, sizeof report->build_options,
              "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DPACKETS=%d -DPACKETS_ACROSS=%d "
              "-DPACKET_COLUMNS=%d -DPACKET_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
-             "-DTILES_PER_ITEM=%d -DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
+             "-DBLOCK_ACROSS=%d -DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
              session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double,
              session->packets_across * session->packets_across, session->packets_across, session->packet_columns,
-             session->lanes / session->packet_columns, accel, variant.node_width, session->tiles_per_item,
+             session->lanes / session->packet_columns, accel, variant.node_width, session->block_across,
              variant.stack_size, (int)sizeof(FaceRecord),
              (int)sizeof(Parameters));
     char *options = report->build_options;

@@ -14,8 +14,8 @@ typedef struct OpenclSession {
     Precision precision;
     int lanes;
     int packet_columns, packets_across; /* a packet of lanes is so wide; a tile has so many packets across and down */
-    int tile_columns, tile_rows;        /* pixels that are rendered together */
-    int tiles_per_item;                 /* so many one after the other by a work-item */
+    int block_across;                   /* so many tiles side by side, and below one another, are a work-item's */
+    int block_columns, block_rows;      /* their pixels */
     bool wide_is_double; /* t comes back as double */
     bool adaptive;       /* the kernels are to hold those of adaptive sampling */
     bool linear;         /* pixels come back as three reals, not clamped, instead of three bytes */

@@ -332,6 +332,35 @@ static void scene_that_is_held_should_give_one_picture_after_another(void)
     scene_free(&scene);
 }
 
+/* Tiles that are traced by their corners, or begin with what those have left, and rays that all go their own way. */
+static void assert_whole_tiles_change_nothing(const char *path, int columns, int rows)
+{
+    const AccelKind kinds[] = {ACCEL_BVH, ACCEL_KDTREE};
+    Scene scene = load(path);
+    resize(&scene, columns, rows, 1);
+    for (int i = 0; i < 2; i++) {
+        RenderSettings settings = {.accel = kinds[i]};
+        Picture with = render(&scene, BACKEND_OPENCL, settings);
+        settings.no_skip = 1u << SKIP_WHOLE_TILE;
+        Picture without = render(&scene, BACKEND_OPENCL, settings);
+        TEST_ASSERT_EQUAL_MEMORY_MESSAGE(without.rgb, with.rgb, picture_bytes(&with), path);
+        TEST_ASSERT_EQUAL_UINT64_MESSAGE(without.report.rays.shadow, with.report.rays.shadow, path);
+        TEST_ASSERT_GREATER_THAN_UINT64_MESSAGE(0, with.report.skipped[SKIP_WHOLE_TILE], path);
+        free(with.rgb);
+        free(without.rgb);
+    }
+    scene_free(&scene);
+}
+
+static void whole_tiles_should_not_change_a_byte(void)
+{
+    assert_whole_tiles_change_nothing("tests/scenes/doll_house.json", 480, 360);
+    assert_whole_tiles_change_nothing("tests/scenes/one_sided.json", 300, 200);
+    assert_whole_tiles_change_nothing("scenes/gallery.json", 500, 400);
+    assert_whole_tiles_change_nothing("scenes/cornell.json", 300, 300);
+    assert_whole_tiles_change_nothing("scenes/mirrors.json", 300, 200);
+}
+
 static bool refuse_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
                         Error *e)
 {
@@ -370,6 +399,7 @@ int main(void)
     RUN_TEST(tall_pictures_should_come_in_several_bands);
     RUN_TEST(reference_should_give_the_same_bytes_on_any_number_of_threads);
     RUN_TEST(kernel_should_give_the_same_bytes_each_time);
+    RUN_TEST(whole_tiles_should_not_change_a_byte);
     RUN_TEST(scene_that_is_held_should_give_one_picture_after_another);
     RUN_TEST(sink_that_fails_should_stop_the_rendering);
     return UNITY_END();

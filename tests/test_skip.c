@@ -203,6 +203,8 @@ static void tiles_should_go_on_whole_from_one_sided_mirrors(void)
     Picture picture = render(PRECISION_FLOAT, ACCEL_NONE, 0);
     TEST_ASSERT_EQUAL_UINT64(16 * 12, picture.report.rays.reflection);
     TEST_ASSERT_EQUAL_UINT64(2 * 16 * 12, picture.report.skipped[SKIP_WHOLE_TILE]);
+    /* The four corners of the block ask the face once, which neither mirrors itself nor stands in its own light. */
+    TEST_ASSERT_EQUAL_UINT64(4, picture.report.face_tests);
 }
 
 static void lights_without_colour_should_be_left_out(void)

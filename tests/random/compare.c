@@ -119,6 +119,15 @@ static bool same_counts(const RenderReport *expected, const RenderReport *found,
     return true;
 }
 
+/* Float by tiles as wholes and ray by ray; after a mirror the last bits of a double may differ. */
+static bool same_by_whole_tiles(const Picture *apart, const Picture *whole)
+{
+    Off off = compare_pictures(apart, whole, 1);
+    if (off.count > 0)
+        printf("whole %d %d %d\n", off.worst % apart->columns, off.worst / apart->columns, off.difference);
+    return off.count == 0;
+}
+
 /* All pixels and counts, or a line that says what is not equal. */
 static bool same_pictures(const Picture *expected, const Picture *picture, const char *which, bool all_counts)
 {
@@ -144,7 +153,7 @@ static void judge_float(const Scene *scene, const Picture *expected, const Pictu
 static bool compare(const char *path, RenderSettings settings, Error *error)
 {
     Scene scene;
-    Picture expected = {0}, by_tree = {0}, in_double = {0}, in_float = {0};
+    Picture expected = {0}, by_tree = {0}, in_double = {0}, in_float = {0}, apart = {0};
     bool ok = scene_load(&scene, path, error) &&
               render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_NONE, .threads = 1}, &expected, error);
     ok = ok &&
@@ -154,13 +163,17 @@ static bool compare(const char *path, RenderSettings settings, Error *error)
     ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_double, error);
     settings.precision = PRECISION_FLOAT;
     ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_float, error);
+    settings.no_skip |= 1u << SKIP_WHOLE_TILE;
+    ok = ok && render(&scene, BACKEND_OPENCL, settings, &apart, error);
     if (ok && same_pictures(&expected, &by_tree, "tree", true) &&
-        same_pictures(&expected, &in_double, "double", settings.no_skip != 0))
+        same_pictures(&expected, &in_double, "double", settings.accel == ACCEL_NONE) &&
+        same_by_whole_tiles(&apart, &in_float))
         judge_float(&scene, &expected, &in_float);
     free(expected.rgb);
     free(by_tree.rgb);
     free(in_double.rgb);
     free(in_float.rgb);
+    free(apart.rgb);
     scene_free(&scene);
     return ok;
 }

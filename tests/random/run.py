@@ -97,9 +97,10 @@ def explain(comparer, seed, name, build, verdict):
     path = os.path.join(comparer.folder, name + ".json")
     print(f"scene {seed} at {build[0]} lanes, --accel {build[1]}: {' '.join(verdict)}")
     print(f"    again: make random-scenes COUNT=1 SEED={seed}")
-    if verdict[0] in ("double", "float", "tree"):
+    if verdict[0] in ("double", "float", "tree", "whole"):
         column, row = verdict[4:6] if verdict[0] == "float" else verdict[1:3]
-        how = "-b reference" if verdict[0] == "tree" else f"--precision {verdict[0]} --lanes {build[0]}"
+        how = {"tree": "-b reference", "whole": f"--no-skip whole_tile --lanes {build[0]}"}.get(
+            verdict[0], f"--precision {verdict[0]} --lanes {build[0]}")
         print(f"    rectray render {path} {how} --accel {build[1]} -o found.png")
         print(f"    rectray render {path} -b reference --accel none -o expected.png")
         print(f"    rectray trace {path} --pixel {column},{row}")

@@ -55,7 +55,7 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     Mask close[PACKETS]; /* nothing is left out */
     EACH_PACKET(p)
         close[p] = (Mask)-1;
-    find_blocked(&g, &tree, target, pencils, &points, close, asking, found, &counters);
+    find_blocked(&g, &tree, target, pencils, &points, close, asking, 0, found, &counters);
     blocked[i] = ANY(found[0]);
 }
 
@@ -127,7 +127,7 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
     }
     Bundle seen = bundle_from(&apex, pencils, PACKETS, 0);
     begin_paths(paths, rays_of);
-    trace_paths(&g, &s, eye, &apex, &seen, 0, paths, rays_of, 0, &counters);
+    trace_paths(&g, &s, eye, &apex, &seen, 0, paths, rays_of, 0, 0, &counters);
     Vec colour = paths[0].total;
     Lanes numbers[3] = {colour.x, colour.y, colour.z};
     for (int k = 0; k < 3; k++) {
