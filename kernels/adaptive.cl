@@ -127,7 +127,7 @@ static void judge_light(const Judge *j, int index, Mask *group)
 {
     constant const Parameters *p = j->s->parameters;
     global const real *light = j->s->lights + index * LIGHT_REALS;
-    global const real *material = j->s->materials + (size_t)j->g->faces[j->face].material * MATERIAL_REALS;
+    global const real *material = j->s->materials + (size_t)face_material(j->g, j->face) * MATERIAL_REALS;
     wide at[3] = {(wide)light[0] + (wide)light[3], (wide)light[1] + (wide)light[4], (wide)light[2] + (wide)light[5]};
     wide distance = plane_distance_of_point(j->g, j->face, at);
     if ((distance > 0 ? j->plane.side : distance < 0 ? -j->plane.side : 0) <= 0)
@@ -189,7 +189,7 @@ static void judge_group(Judge *j, const Trail *trail, int lane, Mask *group)
             break;
         for (int i = 0; i < p->light_count && any_packet(group); i++)
             judge_light(j, i, group);
-        j->weight *= j->s->materials[(size_t)j->g->faces[j->face].material * MATERIAL_REALS + MATERIAL_REFLECTION];
+        j->weight *= j->s->materials[(size_t)face_material(j->g, j->face) * MATERIAL_REALS + MATERIAL_REFLECTION];
         beam_mirror(j->g, &j->beam, j->face);
         from = j->face;
     }

@@ -45,7 +45,7 @@ static void ask_beam(const Geometry *g, BeamQuery *q, const WholeBeam *whole, in
     counters->kinds[COUNT_FACE_TESTS] += q->asking;
     BeamPlane seen = beam_plane(g, beam, i);
     int back = q->shadow ? 1 : -1;
-    if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && g->faces[i].front_only) ||
+    if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && face_bits(face_row(g, i)) & FACE_BACK_OPEN) ||
         (q->to >= 0 && is_on_side(g, i, q->to, -q->far.side)) || (q->from >= 0 && is_on_side(g, i, q->from, q->near.side)))
         return;
     BeamFace face;

@@ -16,6 +16,8 @@ INLINE global const real *face_row(const Geometry *g, int face) { return g->edge
 INLINE Vec face_vertex(global const real *row, int k) { return vec((Lanes)row[k], (Lanes)row[4 + k], (Lanes)row[8 + k]); }
 INLINE real4 of_vertices(global const real *row, int axis) { return *(global const real4 *)(row + FACE_VERTICES + 4 * axis); }
 INLINE uint face_bits(global const real *row) { return *(global const uint *)(row + FACE_BITS); }
+INLINE int face_material(const Geometry *g, int face) { return g->faces[face].material & ~FACE_FLAT; }
+INLINE bool face_is_flat(const Geometry *g, int face) { return g->faces[face].material & FACE_FLAT; }
 INLINE real edge_bound(uint bits) { return (real)fabs(as_float(bits)); }
 INLINE real face_warp(uint bits) { return (real)fabs(as_float(bits << 16)); }
 

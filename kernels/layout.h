@@ -9,14 +9,14 @@
 #include "skips.h"
 #endif
 
-/* Of a face, what only those rays need that hit it. */
+/* Of a face, what only those rays need that hit it: half of a cache line. */
 typedef struct FaceRecord {
-    int material;
-    int front_only; /* 1: rays from behind the normal pass */
-    int index;      /* the face's place in the scene; on the device, faces stand in the order of the tree's leaves */
-    int flat;       /* 1: across an axis, so that every hit is in its box */
-    float box[6];   /* of face_box: low x, high x, low y, ... */
+    int material; /* its number; with FACE_FLAT, the face is across an axis, so that every hit is in its box */
+    int index;    /* the face's place in the scene; on the device, faces stand in the order of the tree's leaves */
+    float box[6]; /* of face_box: low x, high x, low y, ... */
 } FaceRecord;
+
+#define FACE_FLAT 0x40000000
 
 /* A path has at most so many hits. */
 enum { PATH_MAX = 65 };

@@ -84,13 +84,13 @@ INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nea
     surface->face = faces;
     surface->with_normal = nearest->with_normal;
     surface->only = first_of(faces, active);
-    surface->only_material = g->faces[surface->only].material;
+    surface->only_material = face_material(g, surface->only);
     Lanes height = (Lanes)0, off = (Lanes)0, apart = (Lanes)0;
     if (SKETCHED)
         apart = apex ? (Lanes)(real)(fabs(apex[0]) + fabs(apex[1]) + fabs(apex[2])) : TO_REAL(wide_magnitudes(*apexes));
     bool first = true;
     for (Mask rest = active; ANY(rest); first = false) {
-        int face = first ? surface->only : first_of(faces, rest), material = g->faces[face].material;
+        int face = first ? surface->only : first_of(faces, rest), material = face_material(g, face);
         Mask here = rest & IS(faces == (Mask)face);
         rest &= ~here;
         global const wide *plane = g->planes + (size_t)face * PLANE_REALS;

@@ -29,7 +29,7 @@ INLINE PlaneHit hit_in_box(const Geometry *g, int i, const Ray *ray, WideMask ac
     PlaneHit hit = plane_hit(g, i, &ray->origin, &ray->direction, active);
     *t_in_box = hit.t;
     *ahead = (WideMask)-1;
-    if (!g->faces[i].flat) {
+    if (!face_is_flat(g, i)) {
         Interval in_box = interval_in_box(g->faces + i, ray);
         *ahead = IS(in_box.enter <= in_box.leave);
         *t_in_box = *t_in_box < in_box.enter ? in_box.enter : *t_in_box;
@@ -47,7 +47,7 @@ NOINLINE bool ask_nearest(const Geometry *g, const Line *line, const Ray *ray, M
         return false;
     if (ANY(edges.may & ~edges.sure))
         settle_edges(&edges, face_row(g, i), ray, 0);
-    if (g->faces[i].front_only) {
+    if (face_bits(face_row(g, i)) & FACE_BACK_OPEN) {
         edges.may &= ~edges.with_normal;
         if (!ANY(edges.may))
             return false;
@@ -86,8 +86,9 @@ NOINLINE Mask ask_blocked(const Geometry *g, const WideVec *point, const wide *t
     wide end_side = plane_distance_of_point(g, i, target);
     Wide start = plane_distance(g, i, &plane, *point, TO_WIDE_MASK(edges.may));
     WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
-    WideMask between = end_side < 0 ? before : end_side > 0 && !g->faces[i].front_only ? behind : (WideMask)0;
-    if (!g->faces[i].flat) {
+    bool open = face_bits(face_row(g, i)) & FACE_BACK_OPEN;
+    WideMask between = end_side < 0 ? before : end_side > 0 && !open ? behind : (WideMask)0;
+    if (!face_is_flat(g, i)) {
         Interval in_box = interval_in_box(g->faces + i, &ray);
         between &= IS(in_box.enter <= in_box.leave) & IS(in_box.enter <= (Wide)1);
     }

@@ -168,7 +168,7 @@ NOINLINE void look_out(const Geometry *g, const Shading *s, const Window *window
             return;
         if (w->face >= 0)
             look_at_lights(g, s, &camera, &corners, rays, o, counters);
-        global const real *material = w->face >= 0 ? s->materials + (size_t)g->faces[w->face].material * MATERIAL_REALS : 0;
+        global const real *material = w->face >= 0 ? s->materials + (size_t)face_material(g, w->face) * MATERIAL_REALS : 0;
         if (!material || material[MATERIAL_REFLECTION] == 0 || o->bounces == s->parameters->max_bounces) {
             o->bounces++; /* the last one */
             return;
@@ -197,7 +197,7 @@ INLINE bool sketch_whole(const Geometry *g, const Shading *s, const ScreenPlaces
     Surface *surface = &hit->surface;
     surface->face = (Mask)i;
     surface->only = i;
-    surface->only_material = g->faces[i].material;
+    surface->only_material = face_material(g, i);
     surface->material = (Mask)surface->only_material;
     surface->reflection = (Lanes)s->materials[(size_t)surface->only_material * MATERIAL_REALS + MATERIAL_REFLECTION];
     surface->with_normal = (Mask)(hit->face.with_normal ? -1 : 0);

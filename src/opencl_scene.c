@@ -114,10 +114,8 @@ static void pack_face(DeviceScene *packed, const Scene *scene, const unsigned ch
 {
     const Face *face = &scene->faces[index];
     FaceRecord *record = &packed->faces[i];
-    record->material = face->material;
-    record->front_only = face->front_only;
+    record->material = face->material | (is_flat(face) ? FACE_FLAT : 0);
     record->index = index;
-    record->flat = is_flat(face);
     Box box = face_box(face, &scene->planes[index]);
     for (int axis = 0; axis < 3; axis++) {
         record->box[2 * axis] = box.low[axis];
