@@ -1,6 +1,8 @@
 /* Finding a device: platforms and devices in the loader's order, and what suits each. */
 #include "opencl_device.h"
 
+#include "parallel.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -181,8 +183,17 @@ static int default_device(const DeviceList *list)
     return 0;
 }
 
+/* PoCL's threads, one for each processor, are to stay on theirs: left alone, two of them share one for milliseconds, which is as long as a
+ * picture takes. Not where the process may not have all processors, or is to use some only: PoCL would take the first ones. */
+static void keep_threads_in_place(int threads)
+{
+    if (parallel_may_use_all() && (threads == 0 || threads == parallel_threads(0)))
+        setenv("POCL_AFFINITY", "1", 0);
+}
+
 bool opencl_find_device(int number, int threads, cl_device_id *device, DeviceInfo *info, Error *error)
 {
+    keep_threads_in_place(threads);
     if (threads > 0) {
         char text[16];
         snprintf(text, sizeof text, "%d", threads);

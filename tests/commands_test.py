@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The program from outside: exit statuses, what goes to which stream, and that docs/commands.md tells the options."""
+import glob
 import json
 import os
 import re
@@ -166,6 +167,33 @@ class Kernels(CommandTest):
             _, err = self.run_program("render", "scene.json", "-o", "a.png", "--progress", "always", env=environment)
             self.assertIn("compiling the kernels", err)
             self.assertEqual(self.files(), ["a.png", "file"])
+
+
+@unittest.skipUnless(os.path.exists("/proc/self/task") and os.cpu_count() > 1 and
+                     os.sched_getaffinity(0) == set(range(os.cpu_count())), "needs Linux and more than one processor")
+class Threads(CommandTest):
+    def processors_of_threads(self, *words, **environment):
+        """What the threads of a render, seen again and again until it ends, may run on; but for the first one, which the driver
+        sends round to look at the processors."""
+        seen = set()
+        child = subprocess.Popen([PROGRAM, "render", "scene.json", "-q", "-o", "a.png", *words], cwd=self.folder,
+                                 env={**os.environ, **environment})
+        while child.poll() is None:
+            for thread in set(glob.glob(f"/proc/{child.pid}/task/*")) - {f"/proc/{child.pid}/task/{child.pid}"}:
+                try:
+                    with open(thread + "/status", encoding="ascii") as status:
+                        seen.update(re.findall(r"Cpus_allowed_list:\t(\S+)", status.read()))
+                except OSError:
+                    pass # it has just ended
+        self.assertEqual(child.returncode, 0)
+        return seen
+
+    def test_each_stays_on_a_processor_where_all_are_used(self):
+        self.run_program("render", "scene.json", "-o", "a.png") # the kernels are compiled now, if they were not
+        each = {str(i) for i in range(os.cpu_count())}
+        self.assertLessEqual(each, self.processors_of_threads("-s", "3000x3000"))
+        for words, environment in ((["--threads", "1"], {}), ([], {"POCL_AFFINITY": "0"})):
+            self.assertFalse(each & self.processors_of_threads("-s", "3000x3000", *words, **environment))
 
 
 class Generate(CommandTest):

@@ -1,5 +1,6 @@
 /* Blocks of 8 x 8 pixels, four packets of 4 x 4, go through primary ray, surface, shadow rays and mirrors together;
  * threads take squares of 32 x 32. */
+#define _GNU_SOURCE /* pthread_setaffinity_np */
 #include "peer_trace.h"
 
 #include "clock.h"
@@ -9,6 +10,7 @@
 
 #include <immintrin.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,7 +25,8 @@ typedef struct Job {
     Vec1 eye, forward, right, up, background;
     float width, height;
     LightRow lights[MAX_LIGHTS];
-    int next_square; /* atomic */
+    int next_square, next_processor; /* atomic */
+    bool all_processors;
     PeerReport report;
     int lock;
 } Job;
@@ -205,9 +208,20 @@ static void render_block(const Job *job, Block *b, int first_column, int first_r
 
 /* --- All blocks --- */
 
+/* Each thread has a processor of its own, as ours have. */
+static void take_processor(Job *job)
+{
+    cpu_set_t own;
+    CPU_ZERO(&own);
+    CPU_SET((size_t)__atomic_fetch_add(&job->next_processor, 1, __ATOMIC_RELAXED), &own);
+    pthread_setaffinity_np(pthread_self(), sizeof own, &own);
+}
+
 static void render_squares(void *argument)
 {
     Job *job = argument;
+    if (job->all_processors)
+        take_processor(job);
     const Screen *screen = &job->peer->scene->screen;
     int across = (screen->columns + SQUARE - 1) / SQUARE, down = (screen->rows + SQUARE - 1) / SQUARE;
     Block *block;
@@ -234,10 +248,13 @@ static void render_squares(void *argument)
 
 PeerReport peer_trace(const PeerScene *peer, PeerModes modes, int threads, bool timed, unsigned char *rgb)
 {
+    static int all_processors = -1; /* asked before any thread has taken one */
+    if (all_processors < 0)
+        all_processors = parallel_may_use_all();
     double start = clock_ms();
     const Scene *scene = peer->scene;
     View view = view_of(scene);
-    Job job = {.peer = peer, .modes = modes, .timed = timed, .rgb = rgb};
+    Job job = {.peer = peer, .modes = modes, .timed = timed, .rgb = rgb, .all_processors = all_processors};
     job.eye = vec1(view.eye), job.forward = vec1(view.forward), job.right = vec1(view.right), job.up = vec1(view.up);
     job.background = vec1(scene->shading.background);
     job.width = (float)view.width, job.height = (float)view.height;
