@@ -1,6 +1,6 @@
 /* Pixels, packets of them, tiles of packets, and the rays through them. */
 
-/* A packet is PACKET_COLUMNS x PACKET_ROWS = LANES pixels; the tile that one work-item renders is PACKETS of them,
+/* A packet is PACKET_COLUMNS x PACKET_ROWS = LANES pixels; a tile, whose rays are searched together, is PACKETS of them,
  * PACKETS_ACROSS side by side, as the host's build options say. */
 enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PACKETS_ACROSS * PACKET_ROWS };
 

@@ -102,9 +102,12 @@ INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const
                 backs_here += face.closed;
                 continue;
             }
-            stopped = sight == SIGHT_DOUBTFUL;
-            Cover covers = stopped ? COVERS_SOME : cover(&face, c, face.edge_error, (face.closed ? 4 : 1) * face.edge_error);
-            if (covers == COVERS_NONE || stopped)
+            if (sight == SIGHT_DOUBTFUL) {
+                stopped = true;
+                continue;
+            }
+            Cover covers = cover(&face, c, face.edge_error, (face.closed ? 4 : 1) * face.edge_error);
+            if (covers == COVERS_NONE)
                 continue;
             real4 depths = corner_depths(&face, c), nearer = depths - face.depth_error, farther = depths + face.depth_error;
             if (least_of(nearer - begin_high) > 0)

@@ -78,8 +78,7 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
         }
         Apex a = apex_at(image, -lanes_lowest(-spread), length);
         Bundle all = bundle_from(&a, pencils, PACKETS, 0);
-        Rest begin = rest_of_all(tree, &all);
-        find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, left ? left : &begin, false, close, counters);
+        find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, left, false, close, counters);
     }
     EACH_PACKET(p)
         close[p] = (Mask)-1; /* what is left out is proved for rays from the eye only */
@@ -100,8 +99,7 @@ INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, c
         pencils[p].ahead = vec_to_real(rays[p].direction);
     }
     if (from_eye) {
-        Rest begin = rest_of_all(tree, seen);
-        find_nearest_from(g, tree, eye, pencils, rays, nearest, seen, left ? left : &begin, true, close, counters);
+        find_nearest_from(g, tree, eye, pencils, rays, nearest, seen, left, true, close, counters);
     } else {
         real length = (PLAIN_IS_POOR ? 1 : eye->length) * (1 + 4 * REAL_ROUNDING);
         find_reflected(g, tree, paths, rays, length, left, pencils, nearest, close, counters);

@@ -210,12 +210,13 @@ INLINE void light_position(global const real *light, wide *position)
         position[axis] = (wide)light[LIGHT_POSITION + axis] + (wide)light[LIGHT_POSITION_LOW + axis];
 }
 
-INLINE bool has_only_ambient(global const real *light)
+/* Does it matter what a light reaches? Not if it has an ambient colour only, which counts in its shadow, too. */
+INLINE bool wants_light(const Shading *s, global const real *light)
 {
-    bool only = true;
+    bool only_ambient = true;
     for (int i = 0; i < 3; i++)
-        only &= light[LIGHT_DIFFUSE + i] == 0 && light[LIGHT_SPECULAR + i] == 0;
-    return only;
+        only_ambient &= light[LIGHT_DIFFUSE + i] == 0 && light[LIGHT_SPECULAR + i] == 0;
+    return !(SKIPS(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && only_ambient);
 }
 
 /* A place as it is told from the apex of each lane's ray. */
@@ -269,7 +270,7 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
         wide position[3];
         light_position(light, position);
         LightSide side = {-1, 0};
-        bool only_ambient = SKIPS(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && has_only_ambient(light);
+        bool only_ambient = !wants_light(s, light);
         Pencil pencils[PACKETS];
         Mask facing[PACKETS], asking[PACKETS], blocked[PACKETS];
         EACH_PACKET(p) {

@@ -8,7 +8,7 @@ enum {
     SKIP_LIGHT_AMBIENT, /* shadow rays: the light has an ambient colour only, which counts in its shadow too */
     SKIP_HIGHLIGHT,     /* specular terms: the material or the light has no specular colour */
     SKIP_WEAK_BOUNCE,   /* reflected rays: all that they could add would not change a byte */
-    SKIP_EMPTY_TILE,    /* primary rays: all of the tile miss all faces */
+    SKIP_EMPTY_TILE,    /* primary rays: all of the tile, or of its block, miss all faces */
     SKIP_WHOLE_TILE,    /* searches of rays: all of the tile meet the same face, or none */
     SKIP_BACK_FACE,     /* face tests: the back of a closed box */
     SKIPS_COUNTED,

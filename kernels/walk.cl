@@ -120,9 +120,9 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
     return asked <= budget;
 }
 
-/* The same for all packets among the rest; where together they meet too many faces, each goes on by itself. Then all is asked
- * anew for the lanes in which what was left out might matter, which `close` collects. all: the bundle of all rays. What is
- * active in the pencils does not stay. */
+/* The same for all packets among what is left, NULL: all; where together they meet too many faces, each goes on by itself.
+ * Then all is asked anew for the lanes in which what was left out might matter, which `close` collects. all: the bundle of all
+ * rays. What is active in the pencils does not stay. */
 INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, Pencil *pencils, const Ray *rays,
                               Nearest *nearest, const Bundle *all, const Rest *left, bool outside, Mask *close, Counters *counters)
 {
@@ -130,7 +130,7 @@ INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a
         close[p] = (Mask)0;
     int packets = PACKETS;
     uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
-    Rest rest = *left;
+    Rest rest = left ? *left : rest_of_all(tree, all);
     __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets) {
         Bundle b = packets < PACKETS ? bundle_from(a, pencils + p, 1, 0) : *all;
         Rest here = rest;
@@ -236,11 +236,9 @@ NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *targ
                            const Mask *close, const Mask *asking, const Stack *all, Mask *blocked, Counters *counters)
 {
     Apex a = apex_at(target, 0, 1 + 4 * REAL_ROUNDING);
-    Mask rest[NEAR_LEVELS][PACKETS]; /* of the groups that have been cut */
-    Stack stacks[NEAR_LEVELS];
-    real near[NEAR_LEVELS] = {NEAR_MOST};
-    for (int i = 1; i < NEAR_LEVELS; i++)
-        near[i] = near[i - 1] * NEAR_LESS;
+    Mask rest[NEAR_LEVELS][PACKETS]; /* level by level: first all, then those of the group above that has been cut */
+    Stack stacks[NEAR_LEVELS - 1];   /* what that group has left */
+    real near = NEAR_MOST;
     bool outside = true;
     EACH_PACKET(p) {
         blocked[p] = (Mask)0;
@@ -250,6 +248,7 @@ NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *targ
         if (!any_packet(rest[level])) {
             if (level > 0) {
                 level--;
+                near /= NEAR_LESS;
                 continue;
             }
             if (!outside)
@@ -260,16 +259,17 @@ NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *targ
             continue;
         }
         Mask group[PACKETS];
-        like_first(pencils, rest[level], near[level], group);
+        like_first(pencils, rest[level], near, group);
         EACH_PACKET(p) {
             rest[level][p] &= ~group[p];
             pencils[p].active = group[p];
         }
         Bundle b = bundle_of_shadow_rays(&a, pencils);
-        Stack stack = level > 0 ? stacks[level] : all ? *all : stack_of(tree, &b);
+        Stack stack = level > 0 ? stacks[level - 1] : all ? *all : stack_of(tree, &b);
         uint budget = level + 1 < NEAR_LEVELS ? BLOCKED_BUDGET : NO_BUDGET;
         if (!walk_blocked(g, tree, &a, target, pencils, points, blocked, b, &stack, budget, outside, counters)) {
-            stacks[++level] = stack;
+            stacks[level++] = stack;
+            near *= NEAR_LESS;
             EACH_PACKET(p)
                 rest[level][p] = pencils[p].active;
         }
@@ -322,7 +322,6 @@ static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
     Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_magnitudes(direction) : (Lanes)0));
     Bundle all = bundle_from(&a, pencils, PACKETS, 0);
-    Rest rest = rest_of_all(tree, &all);
-    find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, &rest, false, close, counters);
+    find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, 0, false, close, counters);
     return exact_hit(g, ray, nearest, active);
 }

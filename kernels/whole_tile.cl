@@ -1,7 +1,7 @@
 /* Tiles that see the same everywhere: one face, what it mirrors, or nothing. The rays of the four corners stand for all to
  * find the face and the light's way to it (corners.cl), and only shading is done for each. A planar mirror makes of the camera
- * another camera, its image, and the tile goes on with that. What is not the same everywhere is left to render.cl.
- * docs/algorithm.md, section 11. */
+ * another camera, its image, and the tile goes on with that. The corners of a block of tiles are asked first: what they tell, its
+ * tiles need not ask. What is not the same everywhere is left to render.cl. docs/algorithm.md, section 11. */
 
 #define WHOLE_TILES (SKETCHED && !ADAPTIVE && PACKETS > 1)
 
@@ -118,62 +118,65 @@ typedef struct Outlook {
 /* Is it known what the tiles of the block see first? */
 INLINE bool is_told(const Outlook *o) { return o->bounces > 0; }
 
-INLINE bool wants_light(const Shading *s, global const real *light)
+/* Is the side of the face that is seen turned to the light? As turned_to_light. */
+INLINE bool faces_the_light(const Geometry *g, const Whole *w, const wide *light)
 {
-    return !(SKIPS(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && has_only_ambient(light));
+    wide side = plane_distance_of_point(g, w->face, light);
+    return w->with_normal ? side < 0 : side > 0;
 }
 
-/* The lights of bounce number o->bounces. */
-INLINE void look_at_lights(const Geometry *g, const Shading *s, const Camera *camera, const CornerRays *corners, uint rays,
-                           Outlook *o, Counters *counters)
+/* The lights of a bounce. */
+INLINE void look_at_lights(const Geometry *g, const Shading *s, const Camera *camera, const CornerRays *corners, int bounce,
+                           uint rays, Outlook *o, Counters *counters)
 {
-    const Whole *w = o->faces + o->bounces;
+    const Whole *w = o->faces + bounce;
     Patch patch = patch_on(g, w->face, corners, sketch_height(g, w->face, camera->eye), patch_off(g, w->face, camera));
     uint facing = 0, clear = 0, dark = 0;
     for (int i = 0; i < min(s->parameters->light_count, (int)OUTLOOK_LIGHTS); i++) {
         global const real *light = s->lights + i * LIGHT_REALS;
         wide position[3];
         light_position(light, position);
-        wide side = plane_distance_of_point(g, w->face, position);
-        if (w->with_normal ? !(side < 0) : !(side > 0))
+        if (!faces_the_light(g, w, position))
             continue;
         facing |= 1u << i;
         if (!wants_light(s, light))
             continue;
         Stack stack;
         uint backs = counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE];
-        Shade shade = find_shade_on(g, s, w->face, &patch, camera, position, o->bounces == 0, rays, &stack, counters);
+        Shade shade = find_shade_on(g, s, w->face, &patch, camera, position, bounce == 0, rays, &stack, counters);
         clear |= shade == SHADE_NONE ? 1u << i : 0;
         dark |= shade == SHADE_ALL ? 1u << i : 0;
         if (shade == SHADE_SOME)
             counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* each tile asks them again */
     }
-    o->facing[o->bounces] = facing;
-    o->clear[o->bounces] = clear;
-    o->dark[o->bounces] = dark;
+    o->facing[bounce] = facing;
+    o->clear[bounce] = clear;
+    o->dark[bounce] = dark;
 }
 
 /* Fills the outlook of a window of so many rays. */
 NOINLINE void look_out(const Geometry *g, const Shading *s, const Window *window, uint rays, Outlook *o, Counters *counters)
 {
     Camera camera = camera_of(s);
-    for (o->bounces = 0;; o->bounces++) {
+    int from = -1;
+    for (int bounce = 0;; bounce++) {
         CornerRays corners = camera_corners(&camera, window);
-        Apex a = apex_of_image(s, &camera, &corners, o->bounces);
+        Apex a = apex_of_image(s, &camera, &corners, bounce);
+        o->bounces = bounce;
         o->rest = rest_of_corners(s->tree, &a, &corners);
-        Whole *w = o->faces + o->bounces;
-        int from = o->bounces > 0 ? w[-1].face : -1;
-        if (o->bounces == OUTLOOK_BOUNCES || !SKIPS(s->parameters, SKIP_WHOLE_TILE) ||
+        Whole *w = o->faces + bounce;
+        if (bounce == OUTLOOK_BOUNCES || !SKIPS(s->parameters, SKIP_WHOLE_TILE) ||
             !find_whole(g, s->tree, &a, &corners, from, rays, w, &o->rest, counters))
             return;
-        if (w->face >= 0)
-            look_at_lights(g, s, &camera, &corners, rays, o, counters);
-        global const real *material = w->face >= 0 ? s->materials + (size_t)face_material(g, w->face) * MATERIAL_REALS : 0;
-        if (!material || material[MATERIAL_REFLECTION] == 0 || o->bounces == s->parameters->max_bounces) {
-            o->bounces++; /* the last one */
+        o->bounces = bounce + 1;
+        from = w->face;
+        if (from < 0)
             return;
-        }
-        camera = camera_in_mirror(g, w->face, &camera);
+        look_at_lights(g, s, &camera, &corners, bounce, rays, o, counters);
+        real reflection = s->materials[(size_t)face_material(g, from) * MATERIAL_REALS + MATERIAL_REFLECTION];
+        if (reflection == 0 || bounce == s->parameters->max_bounces)
+            return;
+        camera = camera_in_mirror(g, from, &camera);
     }
 }
 
@@ -263,11 +266,9 @@ INLINE bool shade_whole(const Geometry *g, const Shading *s, const ScreenPlaces 
         wide position[3];
         light_position(light, position);
         Vec at = from_apexes(position, flight->camera.eye, 0);
-        LightSide side = {-1, 0};
         int bounce = flight->bounces;
         bool told = bounce < outlook->bounces && i < OUTLOOK_LIGHTS, asking = true;
-        bool facing = told ? outlook->facing[bounce] >> i & 1
-                           : ANY(turned_to_light(g, surface, surface->only, position, &side));
+        bool facing = told ? outlook->facing[bounce] >> i & 1 : faces_the_light(g, &hit->face, position);
         if (!wants_light(s, light)) {
             counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += facing ? lanes : 0;
             if (SKIPS(s->parameters, SKIP_LIGHT_BEHIND))

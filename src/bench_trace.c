@@ -122,8 +122,8 @@ static bool peer_finish(Process *peer, BenchTrace *result, const BenchPlan *plan
 
 /* --- Ours --- */
 
-/* Builds the scene's tree again and again; what it holds then has been built last. */
-static OpenclScene *hold_in_turns(BenchTrace *result, const Scene *scene, const BenchPlan *plan, Error *error)
+/* Builds the scene's tree again and again, for the median, and holds the last. */
+static OpenclScene *hold_repeatedly(BenchTrace *result, const Scene *scene, const BenchPlan *plan, Error *error)
 {
     OpenclScene *held = NULL;
     double builds[BENCH_MAX_REPEATS];
@@ -232,7 +232,7 @@ bool bench_trace(BenchTrace *result, const BenchScene *wanted, const BenchPlan *
         scene_free(&scene);
         return error_memory(error, "the picture");
     }
-    OpenclScene *held = hold_in_turns(result, &scene, plan, error);
+    OpenclScene *held = hold_repeatedly(result, &scene, plan, error);
     bool done = held && peer_start(&peer, result, plan, error) &&
                 trace_in_turns(result, held, plan, &peer, &picture, error);
     opencl_release(held);

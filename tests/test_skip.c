@@ -200,7 +200,10 @@ static void tiles_should_go_on_whole_from_one_sided_mirrors(void)
     int mirror = small_scene_material(&small, (Material){.diffuse = {0.4, 0.5, 0.6}, .reflection = 0.5});
     small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -5))->front_only = true;
     small_scene_light(&small, vec3(1, 3, 0));
-    Picture picture = render(PRECISION_FLOAT, ACCEL_NONE, 0);
+    Picture picture;
+    RenderSettings settings = {.device = -1, .lanes = 16, .accel = ACCEL_NONE}; /* the picture is one block then */
+    TEST_ASSERT_TRUE_MESSAGE(opencl_render(&small.scene, &settings, (BandSink){take_band, picture.rgb}, &picture.report, &error),
+                             error.text);
     TEST_ASSERT_EQUAL_UINT64(16 * 12, picture.report.rays.reflection);
     TEST_ASSERT_EQUAL_UINT64(2 * 16 * 12, picture.report.skipped[SKIP_WHOLE_TILE]);
     /* The four corners of the block ask the face once, which neither mirrors itself nor stands in its own light. */

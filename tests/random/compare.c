@@ -163,11 +163,12 @@ static bool compare(const char *path, RenderSettings settings, Error *error)
     ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_double, error);
     settings.precision = PRECISION_FLOAT;
     ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_float, error);
+    bool by_tiles = settings.accel != ACCEL_NONE && settings.lanes > 1; /* else every ray went its own way already */
     settings.no_skip |= 1u << SKIP_WHOLE_TILE;
-    ok = ok && render(&scene, BACKEND_OPENCL, settings, &apart, error);
+    ok = ok && (!by_tiles || render(&scene, BACKEND_OPENCL, settings, &apart, error));
     if (ok && same_pictures(&expected, &by_tree, "tree", true) &&
         same_pictures(&expected, &in_double, "double", settings.accel == ACCEL_NONE) &&
-        same_by_whole_tiles(&apart, &in_float))
+        (!by_tiles || same_by_whole_tiles(&apart, &in_float)))
         judge_float(&scene, &expected, &in_float);
     free(expected.rgb);
     free(by_tree.rgb);
