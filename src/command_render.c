@@ -85,7 +85,8 @@ static bool trace(const Options *options, const Scene *scene, Painter *painter, 
 static bool render(const Options *options, const Scene *scene, const char *output, Stats *stats, Error *error)
 {
     double start = clock_ms();
-    Painter painter = {.writer = image_writer_open(output, scene->screen.columns, scene->screen.rows, error)};
+    Painter painter = {.writer = image_writer_open(output, scene->screen.columns, scene->screen.rows,
+                                                   options->settings.threads, error)};
     if (!painter.writer)
         return false;
     painter.encode_ms = clock_ms() - start;
@@ -133,9 +134,11 @@ static void print_scale(const Options *options, MapScale scale)
 static bool check_map(const Options *options, Error *error)
 {
     if (options->map_file && options->map == MAP_TIME && options->backend != BACKEND_REFERENCE)
-        return error_set(error, ERROR_USAGE, "--map time needs --backend reference: an OpenCL device times no single pixels");
+        return error_set(error, ERROR_USAGE,
+                         "--map time needs --backend reference: an OpenCL device times no single pixels");
     if (options->map_file && options->output && strcmp(options->map_file, options->output) == 0)
-        return error_set(error, ERROR_USAGE, "the map %s would replace the picture; choose another name", options->map_file);
+        return error_set(error, ERROR_USAGE, "the map %s would replace the picture; choose another name",
+                         options->map_file);
     return !options->map_file || spare_scene(options->operands[0], options->map_file, error);
 }
 
@@ -143,8 +146,9 @@ static bool draw_map(const Options *options, const Scene *scene, Error *error)
 {
     Image image;
     MapScale scale;
-    bool done = map_draw(&image, scene, options->map, options->settings.accel, options->settings.threads, &scale, error) &&
-                image_write(&image, options->map_file, error);
+    bool done =
+        map_draw(&image, scene, options->map, options->settings.accel, options->settings.threads, &scale, error) &&
+        image_write(&image, options->map_file, options->settings.threads, error);
     if (done && !options->quiet)
         print_scale(options, scale);
     image_free(&image);
