@@ -90,6 +90,9 @@ typedef int Mask; /* all bits set: yes, 0: no; also holds the number of a face *
 typedef int WideMask;
 typedef int IntLanes;
 #define TO_INT(x) ((int)(x))
+#define AS_INT(x) as_int(x)
+#define AS_LANES(x) as_float(x)
+#define INTS_TO_LANES(x) ((real)(x))
 #define INTS_TO_MASK(m) (m)
 #define IS(comparison) (-(comparison))
 #define TO_WIDE(x) ((wide)(x))
@@ -134,6 +137,9 @@ typedef PASTE(int, LANES) WideMask;
 #endif
 typedef PASTE(int, LANES) IntLanes;
 #define TO_INT(x) PASTE(convert_int, LANES)(x)
+#define AS_INT(x) PASTE(as_int, LANES)(x)
+#define AS_LANES(x) PASTE(as_float, LANES)(x)
+#define INTS_TO_LANES(x) PASTE(convert_float, LANES)(x)
 #if REAL_DOUBLE
 #define INTS_TO_MASK(m) PASTE(convert_long, LANES)(m)
 #else
@@ -244,25 +250,6 @@ static WideVec wide_select(WideMask mask, WideVec a, WideVec b)
 }
 
 static Vec vec_to_real(WideVec a) { return vec(TO_REAL(a.x), TO_REAL(a.y), TO_REAL(a.z)); }
-
-/* x to the power y for x >= 0, y >= 0. In float by logarithms: within 1e-6 where the result shows in a byte, at an eighth
- * of pow's cost. In double lane by lane: PoCL 3.1's pow of vectors of doubles is wrong, by up to infinity, where the
- * lanes take different branches of it. */
-static Lanes power(Lanes x, Lanes y)
-{
-#if !REAL_DOUBLE
-    return y > (Lanes)0 ? exp2(y * log2(x)) : (Lanes)1;
-#elif LANES == 1
-    return pow(x, y);
-#else
-    real base[LANES], exponent[LANES];
-    STORE(x, base);
-    STORE(y, exponent);
-    for (int i = 0; i < LANES; i++)
-        base[i] = pow(base[i], exponent[i]);
-    return LOAD(base);
-#endif
-}
 
 /* A mask as bits, lane 0 the lowest. One instruction where the processor has it. */
 #ifndef __has_builtin

@@ -175,13 +175,24 @@ INLINE real3 coloured(global const real *material, global const real *light)
 
 INLINE Vec scale_colour(Lanes s, real3 c) { return vec(s * c.x, s * c.y, s * c.z); }
 
-/* Blinn-Phong, term by term as light.c: ambient everywhere, the other two where the light reaches. The lanes of a packet
- * mostly have one material. */
+/* The terms of Blinn-Phong, as light.c has them, without their colours. */
+INLINE Lanes diffuse_of(Vec l, Vec normal) { return at_least_zero(vec_dot(l, normal)); }
+
+INLINE Lanes highlight_of(Vec l, Vec v, Vec normal, real exponent)
+{
+    return power(at_least_zero(vec_dot(normal, vec_unit(vec_add(l, v)))), exponent);
+}
+
+INLINE bool makes_highlight(const Shading *s, real3 colour)
+{
+    return !SKIPS(s->parameters, SKIP_HIGHLIGHT) || colour.x != 0 || colour.y != 0 || colour.z != 0;
+}
+
+/* Ambient everywhere, the other two where the light reaches. The lanes of a packet mostly have one material. */
 INLINE Vec illuminate(const Shading *s, const Surface *surface, global const real *light, Vec l, Vec v, Mask counted, Mask reaches,
                       Counters *counters)
 {
-    Lanes l_dot_n = at_least_zero(vec_dot(l, surface->normal));
-    Lanes n_dot_h = at_least_zero(vec_dot(surface->normal, vec_unit(vec_add(l, v))));
+    Lanes diffuse = diffuse_of(l, surface->normal);
     Vec colour = vec(0, 0, 0);
     for (Mask rest = counted; ANY(rest);) {
         int number = surface->only_material >= 0 ? surface->only_material : first_of(surface->material, rest);
@@ -191,12 +202,12 @@ INLINE Vec illuminate(const Shading *s, const Surface *surface, global const rea
         real3 ambient = coloured(material + MATERIAL_AMBIENT, light + LIGHT_AMBIENT);
         Vec sum = vec((Lanes)ambient.x, (Lanes)ambient.y, (Lanes)ambient.z);
         if (ANY(lit)) {
-            Vec all = vec_add(sum, scale_colour(l_dot_n, coloured(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE)));
+            Vec all = vec_add(sum, scale_colour(diffuse, coloured(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE)));
             real3 shine = coloured(material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
-            if (SKIPS(s->parameters, SKIP_HIGHLIGHT) && shine.x == 0 && shine.y == 0 && shine.z == 0)
-                counters->kinds[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(lit);
+            if (makes_highlight(s, shine))
+                all = vec_add(all, scale_colour(highlight_of(l, v, surface->normal, material[MATERIAL_EXPONENT]), shine));
             else
-                all = vec_add(all, scale_colour(power(n_dot_h, (Lanes)material[MATERIAL_EXPONENT]), shine));
+                counters->kinds[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(lit);
             sum = vec_select(lit, all, sum);
         }
         colour = vec_select(here, sum, colour);
@@ -319,22 +330,30 @@ INLINE IntLanes colour_to_byte(Lanes c)
     return TO_INT((real)255 * c + (real)0.5); /* at least 0: cutting off is floor */
 }
 
-/* Ends the paths all of whose further hits together could not change a byte of the picture: those whose bytes are the same with
- * the most that can come. That is known where a path is its pixel's only one. */
-INLINE void drop_weak(const Shading *s, Path *path, Lanes reflection, Counters *counters)
+/* The lanes all of whose further hits together could not change a byte of the picture: those whose bytes are the same with the
+ * most that can come, at that weight. That is known where a path is its pixel's only one. */
+INLINE Mask too_weak(const Shading *s, Vec total, Lanes weight)
 {
 #if defined(LINEAR) || ADAPTIVE
+    return (Mask)0;
 #else
-    if (!SKIPS(s->parameters, SKIP_WEAK_BOUNCE) || s->parameters->grid > 1 || !ANY(path->active))
-        return;
-    Lanes most = path->weight * reflection * (Lanes)s->view[VIEW_BRIGHTEST];
-    Vec t = path->total;
+    if (!SKIPS(s->parameters, SKIP_WEAK_BOUNCE) || s->parameters->grid > 1)
+        return (Mask)0;
+    Lanes most = weight * (Lanes)s->view[VIEW_BRIGHTEST];
     const real rounded = 1 + 256 * REAL_ROUNDING; /* no sum of up to PATH_MAX terms is rounded up by more */
-    IntLanes red = IS(colour_to_byte(t.x) == colour_to_byte((t.x + most) * rounded));
-    IntLanes green = IS(colour_to_byte(t.y) == colour_to_byte((t.y + most) * rounded));
-    IntLanes blue = IS(colour_to_byte(t.z) == colour_to_byte((t.z + most) * rounded));
-    Mask same = INTS_TO_MASK(red & green & blue);
-    counters->kinds[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += mask_count(path->active & same);
-    path->active &= ~same;
+    IntLanes red = IS(colour_to_byte(total.x) == colour_to_byte((total.x + most) * rounded));
+    IntLanes green = IS(colour_to_byte(total.y) == colour_to_byte((total.y + most) * rounded));
+    IntLanes blue = IS(colour_to_byte(total.z) == colour_to_byte((total.z + most) * rounded));
+    return INTS_TO_MASK(red & green & blue);
 #endif
+}
+
+/* Ends such paths. reflection: of the faces they are at. */
+INLINE void drop_weak(const Shading *s, Path *path, Lanes reflection, Counters *counters)
+{
+    if (!ANY(path->active))
+        return;
+    Mask weak = path->active & too_weak(s, path->total, path->weight * reflection);
+    counters->kinds[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += mask_count(weak);
+    path->active &= ~weak;
 }

@@ -1,7 +1,9 @@
-/* A light where no light should be. Test 11. */
+/* A light where no light should be, and what a highlight is made of. Tests 11 and 20. */
 #include "reference.h"
 #include "scenes.h"
 #include "tests.h"
+
+#include <math.h>
 
 /* A white square in the plane z = 0, looked at from (0, 0, 3) along -z. */
 static void light_at(Suite *suite, const char *where, Vec3 position, bool lit)
@@ -45,4 +47,39 @@ void test_light_on_face(Suite *suite)
     light_at(suite, "before it", vec3(0, 0, 1), true);
     light_at(suite, "before it by 2^-20", vec3(0.5, 0, 0x1p-20), true);
     light_at(suite, "at the camera", vec3(0, 0, 3), true);
+}
+
+enum { PAIRS = 4096 };
+
+/* The largest error of powers of numbers from 0 to 1, most of them near 1, where a highlight is bright. */
+static void powers_to(Suite *suite, double exponent)
+{
+    suite_row(suite, "to the power %g", exponent);
+    const double edges[] = {0, 1, 1 - 0x1p-24, 0.5, 2.0 / 3, 0x1p-126, 0x1p-140};
+    enum { EDGES = sizeof edges / sizeof edges[0] };
+    static double pairs[2 * PAIRS], powers[PAIRS];
+    for (int i = 0; i < PAIRS; i++) {
+        double x = random_in(&suite->random, 0, 1);
+        pairs[2 * i] = (float)(i < EDGES ? edges[i] : i % 2 ? x : 1 - x / (1 + exponent));
+        pairs[2 * i + 1] = (float)exponent;
+    }
+    for (Method method = KERNEL_FLOAT; method <= KERNEL_DOUBLE; method++) {
+        probe_powers(&suite->probes[method == KERNEL_DOUBLE], pairs, PAIRS, powers);
+        double most = 0;
+        for (int i = 0; i < PAIRS; i++) {
+            double error = fabs(powers[i] - pow(pairs[2 * i], pairs[2 * i + 1]));
+            most = error <= most ? most : error; /* NaN stays */
+        }
+        suite_measure(suite, method, PAIRS, most, method == KERNEL_FLOAT ? 0x1p-23 : 0x1p-50);
+    }
+}
+
+void test_powers(Suite *suite)
+{
+    Scene scene = scene_empty();
+    suite_load(suite, &scene);
+    const double exponents[] = {0, 0.25, 1, 2.5, 25, 250, 25000, 1e18};
+    for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++)
+        powers_to(suite, exponents[i]);
+    scene_free(&scene);
 }

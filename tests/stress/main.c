@@ -36,6 +36,7 @@ static const Test tests[] = {
     {17, "mirrors", "Facing mirrors: the geometric series", test_mirrors},
     {18, "translation", "A scene moved by 1e6: the same picture", test_translation},
     {19, "pictures", "Kernels against the reference, pixel by pixel", test_pictures},
+    {20, "powers", "The error of the highlight's powers", test_powers},
 };
 
 enum { TEST_COUNT = sizeof tests / sizeof tests[0] };

@@ -237,3 +237,14 @@ void probe_colours(Probe *probe, const double *rays, long count, double *colours
     clReleaseMemObject(input);
     clReleaseMemObject(output);
 }
+
+void probe_powers(Probe *probe, const double *pairs, long count, double *powers)
+{
+    cl_mem input = new_wides(probe, pairs, (size_t)count * 2);
+    cl_mem output = new_buffer(probe, (size_t)count * real_bytes(real_is_double(probe)), NULL);
+    cl_mem arguments[] = {probe->parameters, input, output};
+    run(probe, "probe_powers", arguments, 3, count, (size_t)count);
+    read_reals(probe, output, (size_t)count, real_is_double(probe), powers);
+    clReleaseMemObject(input);
+    clReleaseMemObject(output);
+}

@@ -136,3 +136,14 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
         colours[3 * i + k] = number[0];
     }
 }
+
+/* Powers of pairs of numbers. A work-item per pair. */
+kernel void probe_powers(constant Parameters *parameters, global const wide *pairs, global real *powers)
+{
+    int i = (int)get_global_id(0);
+    if (i >= parameters->ray_count)
+        return;
+    real number[LANES];
+    STORE(power((Lanes)(real)pairs[2 * i], (real)pairs[2 * i + 1]), number);
+    powers[i] = number[0];
+}

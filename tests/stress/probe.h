@@ -35,4 +35,7 @@ void probe_points(Probe *probe, const double *rays, long count, CastHit *hits, d
 /* RGB, linear, three doubles per ray. */
 void probe_colours(Probe *probe, const double *rays, long count, double *colours);
 
+/* pairs: base and exponent, as power() takes them. A scene must be loaded, any. */
+void probe_powers(Probe *probe, const double *pairs, long count, double *powers);
+
 #endif

@@ -23,5 +23,6 @@ void test_invariance(Suite *suite);
 void test_mirrors(Suite *suite);
 void test_translation(Suite *suite);
 void test_pictures(Suite *suite);
+void test_powers(Suite *suite);
 
 #endif
