@@ -7,13 +7,27 @@ enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PAC
 #define TILES_ACROSS(p) (((p)->columns + TILE_COLUMNS - 1) / TILE_COLUMNS)
 #define TILES_DOWN(p) (((p)->band_rows + TILE_ROWS - 1) / TILE_ROWS)
 
-/* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. */
-enum { BLOCK_TILES = BLOCK_ACROSS * BLOCK_ACROSS };
+/* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. Area 0 of a block is all of it, areas 1 to 4 are its quarters. */
+enum { BLOCK_TILES = BLOCK_ACROSS * BLOCK_ACROSS, BLOCK_PARTS = BLOCK_TILES > 1 ? 5 : 1 };
 enum { BLOCK_COLUMNS = BLOCK_ACROSS * TILE_COLUMNS, BLOCK_ROWS = BLOCK_ACROSS * TILE_ROWS };
 
 #define BLOCKS_ACROSS(p) (((p)->columns + BLOCK_COLUMNS - 1) / BLOCK_COLUMNS)
-#define BLOCK_COLUMN(p, block) ((block) % BLOCKS_ACROSS(p) * BLOCK_COLUMNS)
-#define BLOCK_ROW(p, block) ((block) / BLOCKS_ACROSS(p) * BLOCK_ROWS)
+
+/* Pixels from (column, row) of the band, as many columns and rows as there are in it. */
+typedef struct Area {
+    int column, row, columns, rows;
+} Area;
+
+INLINE Area area_of_block(constant const Parameters *p, int block, int k)
+{
+    int share = k == 0 ? 1 : 2, columns = BLOCK_COLUMNS / share, rows = BLOCK_ROWS / share;
+    Area area;
+    area.column = block % BLOCKS_ACROSS(p) * BLOCK_COLUMNS + (k > 0 ? (k - 1) % 2 * columns : 0);
+    area.row = block / BLOCKS_ACROSS(p) * BLOCK_ROWS + (k > 0 ? (k - 1) / 2 * rows : 0);
+    area.columns = min(columns, p->columns - area.column);
+    area.rows = min(rows, p->band_rows - area.row);
+    return area;
+}
 
 /* Tile k of a block, tiles of the band numbered row by row; -1: it is outside of the band. */
 INLINE int tile_of_block(constant const Parameters *p, int block, int k)
@@ -119,13 +133,13 @@ INLINE Window window_of_tile(const ScreenPlaces *places)
     return w;
 }
 
-/* Of all sub-pixels of a block. */
-INLINE Window window_of_block(const Shading *s, int block)
+/* Of all sub-pixels of an area. */
+INLINE Window window_of_area(const Shading *s, const Area *area)
 {
     constant const Parameters *p = s->parameters;
-    int column = BLOCK_COLUMN(p, block), row = p->first_row + BLOCK_ROW(p, block), last = p->grid - 1;
-    Window w = {{screen_x(s, column, 0), screen_x(s, column + BLOCK_COLUMNS - 1, last)},
-                {screen_y(s, row, 0), screen_y(s, row + BLOCK_ROWS - 1, last)}};
+    int column = area->column, row = p->first_row + area->row, last = p->grid - 1;
+    Window w = {{screen_x(s, column, 0), screen_x(s, column + area->columns - 1, last)},
+                {screen_y(s, row, 0), screen_y(s, row + area->rows - 1, last)}};
     return w;
 }
 

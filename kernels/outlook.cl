@@ -9,6 +9,12 @@ typedef int Outlook;
 
 INLINE bool is_told(const Outlook *o) { return false; }
 
+INLINE bool look_out(const Geometry *g, const Shading *s, const Window *window, uint rays, const Outlook *parent, Outlook *o,
+                     Counters *counters)
+{
+    return false;
+}
+
 #else
 
 /* The part of a face that a window shows. */
@@ -77,7 +83,7 @@ INLINE bool can_look_out(const Shading *s)
     return SKIPS(s->parameters, SKIP_WHOLE_TILE) && s->parameters->light_count <= OUTLOOK_LIGHTS;
 }
 
-/* What the corners of a block of tiles tell of all of them, bounce by bounce. */
+/* What the corners of a window tell of all its pixels, bounce by bounce. */
 typedef struct Outlook {
     int bounces; /* so many are told; of the next one `rest` is left to be searched */
     Whole faces[OUTLOOK_BOUNCES];
@@ -87,7 +93,7 @@ typedef struct Outlook {
     Rest rest;
 } Outlook;
 
-/* Is it known what the tiles of the block see first? */
+/* Is it known what is seen first? */
 INLINE bool is_told(const Outlook *o) { return o->bounces > 0; }
 
 /* Is the side of the face that is seen turned to the light? As turned_to_light. */
@@ -97,57 +103,63 @@ INLINE bool faces_the_light(const Geometry *g, const Whole *w, const wide *light
     return w->with_normal ? side < 0 : side > 0;
 }
 
-/* Its lights, after so many bounces. */
+/* Its lights, after so many bounces, but for those that are told. */
 INLINE void look_at_lights(const Geometry *g, const Shading *s, const Camera *camera, const CornerRays *corners, int bounce,
                            uint rays, Outlook *o, Counters *counters)
 {
     const Whole *w = o->faces + bounce;
     Patch patch = patch_on(g, w->face, corners, sketch_height(g, w->face, camera->eye), patch_off(g, w->face, camera));
-    uint facing = 0, clear = 0, dark = 0;
     for (int i = 0; i < s->parameters->light_count; i++) {
         global const real *light = s->lights + i * LIGHT_REALS;
         wide position[3];
         light_position(light, position);
-        if (!faces_the_light(g, w, position))
+        if ((o->clear[bounce] | o->dark[bounce]) >> i & 1 || !faces_the_light(g, w, position))
             continue;
-        facing |= 1u << i;
+        o->facing[bounce] |= 1u << i;
         if (!wants_light(s, light))
             continue;
         Stack stack;
         uint backs = counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE];
         Shade shade = find_shade_on(g, s, w->face, &patch, camera, position, bounce == 0, rays, &stack, counters);
-        clear |= shade == SHADE_NONE ? 1u << i : 0;
-        dark |= shade == SHADE_ALL ? 1u << i : 0;
+        o->clear[bounce] |= shade == SHADE_NONE ? 1u << i : 0;
+        o->dark[bounce] |= shade == SHADE_ALL ? 1u << i : 0;
         if (shade == SHADE_SOME)
-            counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* each tile asks them again */
+            counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* parts of the window ask them again */
     }
-    o->facing[bounce] = facing;
-    o->clear[bounce] = clear;
-    o->dark[bounce] = dark;
 }
 
-/* Fills the outlook of a window of so many rays. */
-NOINLINE void look_out(const Geometry *g, const Shading *s, const Window *window, uint rays, Outlook *o, Counters *counters)
+/* Fills the outlook of a window of so many rays. parent: of a window around it, from which it goes on, or NULL. Returns whether it
+ * goes to the end, but for the lights. */
+NOINLINE bool look_out(const Geometry *g, const Shading *s, const Window *window, uint rays, const Outlook *parent, Outlook *o,
+                       Counters *counters)
 {
     Camera camera = camera_of(s);
-    int from = -1;
+    int from = -1, told = parent ? parent->bounces : 0;
     for (int bounce = 0;; bounce++) {
         CornerRays corners = camera_corners(&camera, window);
-        Apex a = apex_of_image(s, &camera, &corners, bounce);
-        o->bounces = bounce;
-        o->rest = rest_of_corners(s->tree, &a, &corners);
         Whole *w = o->faces + bounce;
-        if (bounce == OUTLOOK_BOUNCES || !can_look_out(s) ||
-            !find_whole(g, s->tree, &a, &corners, from, rays, w, &o->rest, counters))
-            return;
+        if (bounce < told) {
+            *w = parent->faces[bounce];
+            o->facing[bounce] = parent->facing[bounce];
+            o->clear[bounce] = parent->clear[bounce];
+            o->dark[bounce] = parent->dark[bounce];
+        } else {
+            Apex a = apex_of_image(s, &camera, &corners, bounce);
+            o->bounces = bounce;
+            o->rest = parent && bounce == told ? parent->rest : rest_of_corners(s->tree, &a, &corners);
+            if (bounce == OUTLOOK_BOUNCES || !can_look_out(s) ||
+                !find_whole(g, s->tree, &a, &corners, from, rays, w, &o->rest, counters))
+                return false;
+            o->facing[bounce] = o->clear[bounce] = o->dark[bounce] = 0;
+        }
         o->bounces = bounce + 1;
         from = w->face;
         if (from < 0)
-            return;
+            return true;
         look_at_lights(g, s, &camera, &corners, bounce, rays, o, counters);
         real reflection = s->materials[(size_t)face_material(g, from) * MATERIAL_REALS + MATERIAL_REFLECTION];
         if (reflection == 0 || bounce == s->parameters->max_bounces)
-            return;
+            return true;
         camera = camera_in_mirror(g, from, &camera);
     }
 }

@@ -193,8 +193,8 @@ INLINE void see_background(const Shading *s, const Mask *inside, Vec *sum, Count
     }
 }
 
-/* A block that misses all faces. */
-INLINE void render_background(const Shading *s, int block, uint rays, global uchar *rgb, Counters *counters)
+/* An area that misses all faces. */
+INLINE void render_background(const Shading *s, const Area *area, uint rays, global uchar *rgb, Counters *counters)
 {
     constant const Parameters *p = s->parameters;
     Vec background = vec_row(s->view + VIEW_BACKGROUND), sum = vec(0, 0, 0);
@@ -202,19 +202,18 @@ INLINE void render_background(const Shading *s, int block, uint rays, global uch
     for (int i = 0; i < samples; i++)
         sum = vec_add(sum, background);
     Vec mean = samples > 1 ? vec(sum.x / samples, sum.y / samples, sum.z / samples) : sum;
-    for (int row = 0; row < BLOCK_ROWS; row += PACKET_ROWS)
-        for (int column = 0; column < BLOCK_COLUMNS; column += PACKET_COLUMNS)
-            store_packet(rgb, p, BLOCK_COLUMN(p, block) + column, BLOCK_ROW(p, block) + row, mean);
+    for (int row = 0; row < area->rows; row += PACKET_ROWS)
+        for (int column = 0; column < area->columns; column += PACKET_COLUMNS)
+            store_packet(rgb, p, area->column + column, area->row + row, mean);
     counters->kinds[COUNT_PRIMARY] += rays;
     counters->kinds[COUNT_SKIPPED + SKIP_EMPTY_TILE] += rays;
 }
 
-/* The tile with that number; rgb: band_rows * columns * 3 bytes. */
+/* The tile that begins there; rgb: band_rows * columns * 3 bytes. */
 INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Outlook *outlook,
-                        int tile, global uchar *rgb, Counters *counters)
+                        int first_column, int first_row, global uchar *rgb, Counters *counters)
 {
     constant const Parameters *p = s->parameters;
-    int first_column = tile % TILES_ACROSS(p) * TILE_COLUMNS, first_row = tile / TILES_ACROSS(p) * TILE_ROWS;
     Mask inside[PACKETS];
     Vec sum[PACKETS];
     EACH_PACKET(k) {
@@ -263,36 +262,42 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
     store_tile(p, first_column, first_row, sum, rgb);
 }
 
-/* Renders a block of tiles. */
+/* Renders a block of tiles: at once if its corners tell all, or else quarter by quarter, and a quarter whose corners do not tell
+ * all tile by tile. */
 INLINE void render_block(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, int block, global uchar *rgb,
                          Counters *counters)
 {
     constant const Parameters *p = s->parameters;
-    int columns = min(BLOCK_COLUMNS, p->columns - BLOCK_COLUMN(p, block));
-    int rows = min(BLOCK_ROWS, p->band_rows - BLOCK_ROW(p, block));
-    if (rows <= 0)
-        return;
-    Outlook outlook;
+    Outlook outlooks[2]; /* the block's, its quarter's */
     Told told;
-    bool all_told = false;
-    if (BLOCK_TILES > 1) {
-        uint rays = (uint)(columns * rows) * (uint)(p->grid * p->grid);
-        Window window = window_of_block(s, block);
-        CornerRays corners = camera_corners(camera, &window);
-        Bundle seen = bundle_of_corners(apex, &corners, 0);
-        if (SKIPS(p, SKIP_EMPTY_TILE) && misses_all(s->tree, &seen)) {
-            render_background(s, block, rays, rgb, counters);
-            return;
+    for (int k = 0; k < BLOCK_PARTS; k++) {
+        Area area = area_of_block(p, block, k);
+        if (area.columns <= 0 || area.rows <= 0)
+            continue;
+        const Outlook *parent = k > 0 ? outlooks : 0;
+        Outlook *outlook = outlooks + (k > 0);
+        bool all_told = false;
+        if (BLOCK_PARTS > 1) {
+            uint rays = (uint)(area.columns * area.rows) * (uint)(p->grid * p->grid);
+            Window window = window_of_area(s, &area);
+            CornerRays corners = camera_corners(camera, &window);
+            Bundle seen = bundle_of_corners(apex, &corners, 0);
+            bool empty = SKIPS(p, SKIP_EMPTY_TILE) && !(parent && is_told(parent)) && misses_all(s->tree, &seen);
+            if (empty)
+                render_background(s, &area, rays, rgb, counters);
+            else
+                all_told = look_out(g, s, &window, rays, parent, outlook, counters) && tell(g, s, outlook, &told);
+            if (empty && k == 0)
+                return;
+            if (empty || (k == 0 && !all_told))
+                continue;
         }
-#if WHOLE_TILES
-        look_out(g, s, &window, rays, &outlook, counters);
-        all_told = tell(g, s, &outlook, &told);
-#endif
-    }
-    for (int k = 0; k < BLOCK_TILES; k++) {
-        int tile = tile_of_block(p, block, k);
-        if (tile >= 0 && !(all_told && render_told(s, &told, tile, rgb, counters)))
-            render_tile(g, s, apex, camera, &outlook, tile, rgb, counters);
+        for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
+            for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
+                if (!all_told || !render_told(s, &told, column, row, rgb, counters))
+                    render_tile(g, s, apex, camera, outlook, column, row, rgb, counters);
+        if (k == 0)
+            return;
     }
 }
 

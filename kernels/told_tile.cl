@@ -1,12 +1,15 @@
-/* Blocks whose corners have told all, to the last bounce and light: each packet of theirs goes its whole way by itself, in registers.
- * It comes to what whole_tile.cl would, to the last bit. docs/algorithm.md, section 11. */
+/* Blocks whose corners have told all, to the last bounce and light: each packet of theirs goes its whole way by itself, in
+ * registers. It comes to what whole_tile.cl would, to the last bit. docs/algorithm.md, section 11. */
 
 #if !WHOLE_TILES
 
 typedef int Told;
 
 INLINE bool tell(const Geometry *g, const Shading *s, const Outlook *o, Told *told) { return false; }
-INLINE bool render_told(const Shading *s, const Told *told, int tile, global uchar *rgb, Counters *counters) { return false; }
+INLINE bool render_told(const Shading *s, const Told *told, int column, int row, global uchar *rgb, Counters *counters)
+{
+    return false;
+}
 
 #else
 
@@ -74,10 +77,10 @@ INLINE bool trace_told(const Shading *s, const Told *told, const ScreenPlaces *p
 }
 
 /* Renders a tile of such a block; rgb: as render_tile. False: a sketch is too rough, and nothing is done. */
-NOINLINE bool render_told(const Shading *s, const Told *told, int tile, global uchar *rgb, Counters *counters)
+NOINLINE bool render_told(const Shading *s, const Told *told, int first_column, int first_row, global uchar *rgb,
+                          Counters *counters)
 {
     constant const Parameters *p = s->parameters;
-    int first_column = tile % TILES_ACROSS(p) * TILE_COLUMNS, first_row = tile / TILES_ACROSS(p) * TILE_ROWS;
     Vec sum[PACKETS];
     EACH_PACKET(k)
         sum[k] = vec(0, 0, 0);

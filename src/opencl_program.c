@@ -61,7 +61,7 @@ static bool choose_lanes(OpenclSession *session, const RenderSettings *settings,
         session->lanes = settings->lanes;
     session->packet_columns = session->lanes == 16 ? 4 : session->lanes >= 4 ? session->lanes / 2 : 1;
     session->packets_across = session->lanes > 1 ? 2 : 1;
-    session->block_across = session->lanes > 1 ? 2 : 1;
+    session->block_across = session->lanes > 1 ? 4 : 1;
     session->block_columns = session->packet_columns * session->packets_across * session->block_across;
     session->block_rows = session->lanes / session->packet_columns * session->packets_across * session->block_across;
     return true;
