@@ -60,8 +60,8 @@ static void powers_to(Suite *suite, double exponent)
     static double pairs[2 * PAIRS], powers[PAIRS];
     for (int i = 0; i < PAIRS; i++) {
         double x = random_in(&suite->random, 0, 1);
-        pairs[2 * i] = (float)(i < EDGES ? edges[i] : i % 2 ? x : 1 - x / (1 + exponent));
-        pairs[2 * i + 1] = (float)exponent;
+        pairs[2 * i] = (double)(float)(i < EDGES ? edges[i] : i % 2 ? x : 1 - x / (1 + exponent));
+        pairs[2 * i + 1] = (double)(float)exponent;
     }
     for (Method method = KERNEL_FLOAT; method <= KERNEL_DOUBLE; method++) {
         probe_powers(&suite->probes[method == KERNEL_DOUBLE], pairs, PAIRS, powers);
