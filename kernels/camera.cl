@@ -7,7 +7,7 @@ enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PAC
 #define TILES_ACROSS(p) (((p)->columns + TILE_COLUMNS - 1) / TILE_COLUMNS)
 #define TILES_DOWN(p) (((p)->band_rows + TILE_ROWS - 1) / TILE_ROWS)
 
-/* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. Area 0 of a block is all of it, areas 1 to 4 are its quarters. */
+/* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. Area 0 of a block is all of it, 1 to 4 are its quarters. */
 enum { BLOCK_TILES = BLOCK_ACROSS * BLOCK_ACROSS, BLOCK_PARTS = BLOCK_TILES > 1 ? 5 : 1 };
 enum { BLOCK_COLUMNS = BLOCK_ACROSS * TILE_COLUMNS, BLOCK_ROWS = BLOCK_ACROSS * TILE_ROWS };
 
@@ -127,9 +127,11 @@ typedef struct Window {
     wide x[2], y[2];
 } Window;
 
-INLINE Window window_of_tile(const ScreenPlaces *places)
+/* Of the tile's pixels that are in the band: a face that these see need not go on beyond them, nor lie ahead there. */
+INLINE Window window_of_tile(constant const Parameters *p, const ScreenPlaces *places, int first_column, int first_row)
 {
-    Window w = {{places->x[0], places->x[TILE_COLUMNS - 1]}, {places->y[0], places->y[TILE_ROWS - 1]}};
+    int column = min((int)TILE_COLUMNS, p->columns - first_column) - 1, row = min((int)TILE_ROWS, p->band_rows - first_row) - 1;
+    Window w = {{places->x[0], places->x[column]}, {places->y[0], places->y[row]}};
     return w;
 }
 

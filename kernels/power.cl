@@ -33,8 +33,8 @@ INLINE Lanes exp2_of(Lanes x)
 }
 #endif
 
-/* x to the power y for x from 0 to some ulps above 1, y >= 0; in float within 1.2e-7. In double lane by lane: PoCL 3.1's pow of
- * vectors of doubles is wrong, by up to infinity, where the lanes take different branches of it. */
+/* x to the power y for x 0, or from FLT_MIN to some ulps above 1, y >= 0; in float within 1.2e-7. In double lane by lane: PoCL
+ * 3.1's pow of vectors of doubles is wrong, by up to infinity, where the lanes take different branches of it. */
 static Lanes power(Lanes x, real y)
 {
 #if !REAL_DOUBLE

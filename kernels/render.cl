@@ -1,4 +1,4 @@
-/* The kernels: `render` turns a tile of pixels per work-item into bytes, `cast` intersects a list of rays. */
+/* The kernels: `render` turns a block of pixels per work-item into bytes, `cast` intersects a list of rays. */
 
 /* The host says how large it takes the shared structs to be; an array of negative length stops the build. */
 typedef char FaceRecordHasTheHostsSize[sizeof(FaceRecord) == FACE_RECORD_BYTES ? 1 : -1];
@@ -174,7 +174,7 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, con
 static void add_counters(volatile global uint *totals, const Counters *counters)
 {
     /* A processor takes some work-items in a row: they add to the same copy, which stays in its cache. */
-    size_t copy = get_global_id(0) / (LANES > 1 ? 16 : 1) % COUNTER_STRIPES;
+    size_t copy = get_global_id(0) / (LANES > 1 ? 4 : 1) % COUNTER_STRIPES;
     volatile global uint *stripe = totals + copy * COUNTER_STRIDE;
     for (int kind = 0; kind < COUNTER_KINDS; kind++)
         if (counters->kinds[kind])
@@ -223,7 +223,7 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
     for (int j = 0; j < p->grid; j++)
         for (int i = 0; i < p->grid; i++) {
             ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
-            Window window = window_of_tile(&places);
+            Window window = window_of_tile(p, &places, first_column, first_row);
             CornerRays corners = camera_corners(camera, &window);
             if (SKIPS(p, SKIP_EMPTY_TILE) && !is_told(outlook)) {
                 Bundle seen = bundle_of_corners(apex, &corners, 0);
@@ -241,7 +241,7 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
             int bounces = 0;
 #if WHOLE_TILES
             Rest rest;
-            bool done = trace_whole(g, s, &places, outlook, paths, rays, &bounces, &rest, counters);
+            bool done = trace_whole(g, s, &places, &window, outlook, paths, rays, &bounces, &rest, counters);
             const Rest *left = &rest;
 #else
             EACH_PACKET(k) {

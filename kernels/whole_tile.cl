@@ -108,8 +108,8 @@ INLINE bool light_facet(const Geometry *g, const Shading *s, const ScreenPlaces 
 
 /* Traces the tile as long as it sees the same everywhere; true: to the end. False: paths and rays are as they are where
  * render.cl has to go on, after `bounces`, and `rest` is what is left of their search. */
-NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Outlook *outlook, Path *paths,
-                          Ray *rays, int *bounces, Rest *rest, Counters *counters)
+NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Window *window,
+                          const Outlook *outlook, Path *paths, Ray *rays, int *bounces, Rest *rest, Counters *counters)
 {
     constant const Parameters *parameters = s->parameters;
     Flight flight;
@@ -119,14 +119,14 @@ NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlace
         paths[p].total = vec(0, 0, 0);
         paths[p].weight = (Lanes)1;
     }
-    Window window = window_of_tile(places);
     for (;; flight.bounces++) {
         const Camera *camera = &flight.camera;
         int from = flight.bounces == 0 ? -1 : flight.mirrors[flight.bounces - 1];
-        CornerRays corners = camera_corners(camera, &window);
+        CornerRays corners = camera_corners(camera, window);
         uint lanes = 0;
         EACH_PACKET(p)
             lanes += mask_count(paths[p].active);
+        Counters before = *counters;
         Whole w;
         if (flight.bounces < outlook->bounces)
             w = outlook->faces[flight.bounces];
@@ -139,7 +139,6 @@ NOINLINE bool trace_whole(const Geometry *g, const Shading *s, const ScreenPlace
         Facet f;
         Mask blocked[OUTLOOK_LIGHTS][PACKETS], lit[PACKETS];
         Vec colours[PACKETS];
-        Counters before = *counters;
         facet_of(g, s, &w, camera, flight.bounces, &f);
         bool fine = w.face < 0 || light_facet(g, s, places, &corners, outlook, &flight, &w, paths, lanes, &f, blocked, counters);
         EACH_PACKET(p) {

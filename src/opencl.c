@@ -13,12 +13,12 @@ enum { BAND_BYTES = 1 << 20, FIRST_BAND_ROWS = 64 }; /* so few that the pages, u
 
 #define BAND_MS 50.0 /* a band should take about this long: progress is smooth, an interrupt is soon obeyed */
 
-/* The next band's height, from the last one's time: whole tiles, within the buffer. */
-static int next_band(int rows, int most, double ms)
+/* The next band's height, from the last one's time: whole blocks, of `least` rows, within the buffer. */
+static int next_band(int rows, int least, int most, double ms)
 {
     if (ms * 2 < BAND_MS)
         rows *= 2;
-    else if (ms > BAND_MS * 2 && rows >= 32)
+    else if (ms > BAND_MS * 2 && rows >= 2 * least)
         rows /= 2;
     return rows < most ? rows : most;
 }
@@ -108,7 +108,7 @@ bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Erro
         if (!render_band(held, &parameters, report, error) ||
             !sink.band(sink.user, row, parameters.band_rows, held->pixels.rgb, report, error))
             return false;
-        band = next_band(band, most, report->trace_ms - before);
+        band = next_band(band, held->session.block_rows > 16 ? held->session.block_rows : 16, most, report->trace_ms - before);
     }
     return true;
 }
