@@ -4,16 +4,13 @@
  * PACKETS_ACROSS side by side, as the host's build options say. */
 enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PACKETS_ACROSS * PACKET_ROWS };
 
-#define TILES_ACROSS(p) (((p)->columns + TILE_COLUMNS - 1) / TILE_COLUMNS)
-#define TILES_DOWN(p) (((p)->band_rows + TILE_ROWS - 1) / TILE_ROWS)
-
 /* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. Area 0 of a block is all of it, 1 to 4 are its quarters. */
-enum { BLOCK_TILES = BLOCK_ACROSS * BLOCK_ACROSS, BLOCK_PARTS = BLOCK_TILES > 1 ? 5 : 1 };
+enum { BLOCK_AREAS = BLOCK_ACROSS > 1 ? 5 : 1 };
 enum { BLOCK_COLUMNS = BLOCK_ACROSS * TILE_COLUMNS, BLOCK_ROWS = BLOCK_ACROSS * TILE_ROWS };
 
 #define BLOCKS_ACROSS(p) (((p)->columns + BLOCK_COLUMNS - 1) / BLOCK_COLUMNS)
 
-/* Pixels from (column, row) of the band, as many columns and rows as there are in it. */
+/* Pixels from (column, row) of the band, as many columns and rows as there are in it; none: 0 or less. */
 typedef struct Area {
     int column, row, columns, rows;
 } Area;
@@ -27,14 +24,6 @@ INLINE Area area_of_block(constant const Parameters *p, int block, int k)
     area.columns = min(columns, p->columns - area.column);
     area.rows = min(rows, p->band_rows - area.row);
     return area;
-}
-
-/* Tile k of a block, tiles of the band numbered row by row; -1: it is outside of the band. */
-INLINE int tile_of_block(constant const Parameters *p, int block, int k)
-{
-    int column = block % BLOCKS_ACROSS(p) * BLOCK_ACROSS + k % BLOCK_ACROSS;
-    int row = block / BLOCKS_ACROSS(p) * BLOCK_ACROSS + k / BLOCK_ACROSS;
-    return column < TILES_ACROSS(p) && row < TILES_DOWN(p) ? row * TILES_ACROSS(p) + column : -1;
 }
 
 static wide view_value(const Shading *s, int column) { return (wide)s->view[column] + (wide)s->view[VIEW_REALS + column]; }

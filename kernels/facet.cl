@@ -11,6 +11,7 @@ typedef struct FacetLight {
     const Mask *blocked;              /* packet by packet the lanes that it does not reach; NULL: none */
 } FacetLight;
 
+/* More lights than it has room for come in turns. */
 typedef struct Facet {
     int face; /* -1: it is the background */
     Camera camera;
@@ -47,19 +48,20 @@ INLINE void facet_of(const Geometry *g, const Shading *s, const Whole *w, const 
     f->light_count = 0;
 }
 
-/* Counts what is known of a light without a search. Is it to be asked for shadows? */
-INLINE bool facet_asks(const Shading *s, global const real *light, bool facing, Facet *f)
+/* Is a light to be asked for shadows on a face that is turned to it, or not? */
+INLINE bool asks_light(const Shading *s, global const real *light, bool facing)
 {
-    bool wanted = wants_light(s, light), skipped = !facing && SKIPS(s->parameters, SKIP_LIGHT_BEHIND);
-    f->behind += skipped;
-    f->ambient_only += facing && !wanted;
-    f->asked += wanted && !skipped;
-    return wanted && !skipped;
+    return wants_light(s, light) && (facing || !SKIPS(s->parameters, SKIP_LIGHT_BEHIND));
 }
 
-/* shade: how much of the facet lies in the light's shadow. blocked: where shade is SHADE_SOME, else NULL. */
-INLINE void facet_add_light(const Shading *s, global const real *light, Shade shade, const Mask *blocked, Facet *f)
+/* shade: how much of the facet lies in the light's shadow. blocked: where that is SHADE_SOME. */
+INLINE void facet_add_light(const Shading *s, global const real *light, bool facing, Shade shade, const Mask *blocked, Facet *f)
 {
+    f->behind += !facing && SKIPS(s->parameters, SKIP_LIGHT_BEHIND);
+    f->ambient_only += facing && !wants_light(s, light);
+    f->asked += asks_light(s, light, facing);
+    if (!facing)
+        shade = SHADE_ALL;
     if (shade == SHADE_ALL && !s->parameters->shadow_ambient)
         return;
     FacetLight *l = f->lights + f->light_count++;
@@ -72,7 +74,7 @@ INLINE void facet_add_light(const Shading *s, global const real *light, Shade sh
     l->specular = coloured(f->material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
     l->reaches = shade != SHADE_ALL;
     l->shines = makes_highlight(s, l->specular);
-    l->blocked = blocked;
+    l->blocked = shade == SHADE_SOME ? blocked : 0;
     f->dull += shade == SHADE_NONE && !l->shines;
 }
 
@@ -97,8 +99,8 @@ INLINE Sketch sketch_facet(const Facet *f, const ScreenPlaces *places, int p, Ve
     return sketch(*ahead, (Lanes)f->height, (Lanes)f->off, vec_of(f->normal));
 }
 
-/* The light that packet p's part of the facet sends, as `shade` has it; lit: the lanes that some light reaches. False: a sketch is
- * too rough. */
+/* Adds the light that packet p's part of the facet sends, as `shade` has it, to `colour`, and the lanes that some light reaches to
+ * `lit`. False: a sketch is too rough. */
 INLINE bool shade_facet(const Shading *s, const Facet *f, const ScreenPlaces *places, int p, Mask active, Vec *colour, Mask *lit)
 {
     Vec ahead, l;
@@ -107,8 +109,6 @@ INLINE bool shade_facet(const Shading *s, const Facet *f, const ScreenPlaces *pl
     Lanes per_length, share;
     if (!f->along_ray && !sketch_towards(&drawn, vec_of(f->eye), active, &v, &per_length, &share))
         return false;
-    *colour = vec(0, 0, 0);
-    *lit = (Mask)0;
     for (int i = 0; i < f->light_count; i++) {
         const FacetLight *light = f->lights + i;
         Vec ambient = vec((Lanes)light->ambient.x, (Lanes)light->ambient.y, (Lanes)light->ambient.z), sum = ambient;

@@ -77,17 +77,11 @@ INLINE Rest rest_of_corners(const Tree *tree, const Apex *a, const CornerRays *c
 
 enum { OUTLOOK_BOUNCES = 16, OUTLOOK_LIGHTS = 32 };
 
-/* More lights than the outlook has bits for are not looked at. */
-INLINE bool can_look_out(const Shading *s)
-{
-    return SKIPS(s->parameters, SKIP_WHOLE_TILE) && s->parameters->light_count <= OUTLOOK_LIGHTS;
-}
-
 /* What the corners of a window tell of all its pixels, bounce by bounce. */
 typedef struct Outlook {
     int bounces; /* so many are told; of the next one `rest` is left to be searched */
     Whole faces[OUTLOOK_BOUNCES];
-    uint facing[OUTLOOK_BOUNCES]; /* bit i: the face is turned to light i */
+    uint facing[OUTLOOK_BOUNCES]; /* bit i: the face is turned to light i, of the first OUTLOOK_LIGHTS */
     uint clear[OUTLOOK_BOUNCES];  /* nothing is between */
     uint dark[OUTLOOK_BOUNCES];   /* something is, everywhere */
     Rest rest;
@@ -109,7 +103,7 @@ INLINE void look_at_lights(const Geometry *g, const Shading *s, const Camera *ca
 {
     const Whole *w = o->faces + bounce;
     Patch patch = patch_on(g, w->face, corners, sketch_height(g, w->face, camera->eye), patch_off(g, w->face, camera));
-    for (int i = 0; i < s->parameters->light_count; i++) {
+    for (int i = 0; i < min((int)OUTLOOK_LIGHTS, s->parameters->light_count); i++) {
         global const real *light = s->lights + i * LIGHT_REALS;
         wide position[3];
         light_position(light, position);
@@ -147,7 +141,7 @@ NOINLINE bool look_out(const Geometry *g, const Shading *s, const Window *window
             Apex a = apex_of_image(s, &camera, &corners, bounce);
             o->bounces = bounce;
             o->rest = parent && bounce == told ? parent->rest : rest_of_corners(s->tree, &a, &corners);
-            if (bounce == OUTLOOK_BOUNCES || !can_look_out(s) ||
+            if (bounce == OUTLOOK_BOUNCES || !SKIPS(s->parameters, SKIP_WHOLE_TILE) ||
                 !find_whole(g, s->tree, &a, &corners, from, rays, w, &o->rest, counters))
                 return false;
             o->facing[bounce] = o->clear[bounce] = o->dark[bounce] = 0;

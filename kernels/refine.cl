@@ -26,11 +26,11 @@ static Bundle bundle_of_rays(const Apex *a, const Path *paths, const Ray *rays)
     return bundle_from(a, pencils, PACKETS, 0);
 }
 
-/* As `render` does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
-INLINE void render_centres(const Geometry *g, const Shading *s, int tile, global uchar *rgb, global uchar *flags, Counters *counters)
+/* As render_tile does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
+INLINE void render_centres(const Geometry *g, const Shading *s, int first_column, int first_row, global uchar *rgb,
+                           global uchar *flags, Counters *counters)
 {
     constant const Parameters *p = s->parameters;
-    int first_column = tile % TILES_ACROSS(p) * TILE_COLUMNS, first_row = tile / TILES_ACROSS(p) * TILE_ROWS;
     Apex apex = apex_at_eye(s);
     Path paths[PACKETS];
     Ray rays[PACKETS];
@@ -144,12 +144,13 @@ kernel void render_adaptive(constant Parameters *parameters, global const FaceRe
     Tree tree = {tree_floats, tree_ints};
     Shading s = {materials, lights, view, parameters, &tree};
     Counters counters = {{0}};
-    if (parameters->refine_count > 0)
+    if (parameters->refine_count > 0) {
         refine(&g, &s, rgb, list, &counters);
-    for (int k = 0; k < BLOCK_TILES && parameters->refine_count == 0; k++) {
-        int tile = tile_of_block(parameters, (int)get_global_id(0), k);
-        if (tile >= 0)
-            render_centres(&g, &s, tile, rgb, flags, &counters);
+    } else {
+        Area area = area_of_block(parameters, (int)get_global_id(0), 0);
+        for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
+            for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
+                render_centres(&g, &s, column, row, rgb, flags, &counters);
     }
     add_counters(totals, &counters);
 }

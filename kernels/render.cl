@@ -262,6 +262,22 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
     store_tile(p, first_column, first_row, sum, rgb);
 }
 
+/* What the corners of an area tell of what it sees: not all of it, all of it, or that it is nothing. */
+typedef enum Tidings { TELLS_SOME, TELLS_ALL, TELLS_EMPTY } Tidings;
+
+/* parent: as look_out. outlook: filled but where it is empty, told: where all is told. */
+INLINE Tidings ask_corners(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Area *area,
+                           uint rays, const Outlook *parent, Outlook *outlook, Told *told, Counters *counters)
+{
+    Window window = window_of_area(s, area);
+    CornerRays corners = camera_corners(camera, &window);
+    Bundle seen = bundle_of_corners(apex, &corners, 0);
+    bool may_be_empty = SKIPS(s->parameters, SKIP_EMPTY_TILE) && !(parent && is_told(parent));
+    if (may_be_empty && misses_all(s->tree, &seen))
+        return TELLS_EMPTY;
+    return look_out(g, s, &window, rays, parent, outlook, counters) && tell(g, s, outlook, told) ? TELLS_ALL : TELLS_SOME;
+}
+
 /* Renders a block of tiles: at once if its corners tell all, or else quarter by quarter, and a quarter whose corners do not tell
  * all tile by tile. */
 INLINE void render_block(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, int block, global uchar *rgb,
@@ -270,32 +286,25 @@ INLINE void render_block(const Geometry *g, const Shading *s, const Apex *apex, 
     constant const Parameters *p = s->parameters;
     Outlook outlooks[2]; /* the block's, its quarter's */
     Told told;
-    for (int k = 0; k < BLOCK_PARTS; k++) {
+    for (int k = 0; k < BLOCK_AREAS; k++) {
         Area area = area_of_block(p, block, k);
         if (area.columns <= 0 || area.rows <= 0)
             continue;
-        const Outlook *parent = k > 0 ? outlooks : 0;
+        uint rays = (uint)(area.columns * area.rows) * (uint)(p->grid * p->grid);
         Outlook *outlook = outlooks + (k > 0);
-        bool all_told = false;
-        if (BLOCK_PARTS > 1) {
-            uint rays = (uint)(area.columns * area.rows) * (uint)(p->grid * p->grid);
-            Window window = window_of_area(s, &area);
-            CornerRays corners = camera_corners(camera, &window);
-            Bundle seen = bundle_of_corners(apex, &corners, 0);
-            bool empty = SKIPS(p, SKIP_EMPTY_TILE) && !(parent && is_told(parent)) && misses_all(s->tree, &seen);
-            if (empty)
-                render_background(s, &area, rays, rgb, counters);
-            else
-                all_told = look_out(g, s, &window, rays, parent, outlook, counters) && tell(g, s, outlook, &told);
-            if (empty && k == 0)
-                return;
-            if (empty || (k == 0 && !all_told))
+        Tidings tidings = TELLS_SOME;
+        if (BLOCK_AREAS > 1) {
+            tidings = ask_corners(g, s, apex, camera, &area, rays, k > 0 ? outlooks : 0, outlook, &told, counters);
+            if (k == 0 && tidings == TELLS_SOME)
                 continue;
         }
-        for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
-            for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
-                if (!all_told || !render_told(s, &told, column, row, rgb, counters))
-                    render_tile(g, s, apex, camera, outlook, column, row, rgb, counters);
+        if (tidings == TELLS_EMPTY)
+            render_background(s, &area, rays, rgb, counters);
+        else
+            for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
+                for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
+                    if (tidings != TELLS_ALL || !render_told(s, &told, column, row, rgb, counters))
+                        render_tile(g, s, apex, camera, outlook, column, row, rgb, counters);
         if (k == 0)
             return;
     }

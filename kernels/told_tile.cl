@@ -30,13 +30,15 @@ NOINLINE bool tell(const Geometry *g, const Shading *s, const Outlook *o, Told *
         facet_of(g, s, o->faces + bounce, &camera, bounce, f);
         if (f->face < 0)
             return true;
+        if (parameters->light_count > OUTLOOK_LIGHTS)
+            return false;
         bool lit = parameters->shadow_ambient;
         for (int i = 0; i < parameters->light_count; i++) {
             global const real *light = s->lights + i * LIGHT_REALS;
-            bool clear = o->clear[bounce] >> i & 1, dark = o->dark[bounce] >> i & 1;
-            if (facet_asks(s, light, o->facing[bounce] >> i & 1, f) && !clear && !dark)
+            bool facing = o->facing[bounce] >> i & 1, clear = o->clear[bounce] >> i & 1, dark = o->dark[bounce] >> i & 1;
+            if (asks_light(s, light, facing) && !clear && !dark)
                 return false;
-            facet_add_light(s, light, clear ? SHADE_NONE : SHADE_ALL, 0, f);
+            facet_add_light(s, light, facing, clear ? SHADE_NONE : SHADE_ALL, 0, f);
             lit |= clear;
         }
         if (f->reflection == 0 || bounce == parameters->max_bounces || !lit)
@@ -60,8 +62,8 @@ INLINE bool trace_told(const Shading *s, const Told *told, const ScreenPlaces *p
     for (int bounce = 0;; bounce++) {
         const Facet *f = told->facets + bounce;
         counts->rays[bounce] += mask_count(active);
-        Vec colour = vec_row(s->view + VIEW_BACKGROUND);
-        Mask lit;
+        Vec colour = f->face < 0 ? vec_row(s->view + VIEW_BACKGROUND) : vec(0, 0, 0);
+        Mask lit = (Mask)0;
         if (f->face >= 0 && !shade_facet(s, f, places, p, active, &colour, &lit))
             return false;
         *total = vec_select(active, vec_add(*total, vec_scale((Lanes)weight, colour)), *total);
@@ -89,8 +91,11 @@ NOINLINE bool render_told(const Shading *s, const Told *told, int first_column, 
         for (int i = 0; i < p->grid; i++) {
             ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
             EACH_PACKET(k) {
+                Mask inside = pixels_inside(p, first_column, first_row, k);
                 Vec total;
-                if (!trace_told(s, told, &places, k, pixels_inside(p, first_column, first_row, k), &total, &counts))
+                if (!ANY(inside))
+                    continue;
+                if (!trace_told(s, told, &places, k, inside, &total, &counts))
                     return false;
                 sum[k] = vec_add(sum[k], total);
             }

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BAND_BYTES = 1 << 20, FIRST_BAND_ROWS = 64 }; /* so few that the pages, used again, stay in the cache */
+enum { BAND_BYTES = 1 << 20, FIRST_BAND_ROWS = 64, LEAST_BAND_ROWS = 16 }; /* so few bytes that their pages, used again, stay in the cache */
 
 #define BAND_MS 50.0 /* a band should take about this long: progress is smooth, an interrupt is soon obeyed */
 
@@ -101,6 +101,7 @@ bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Erro
     *report = held->report;
     Parameters parameters = parameters_of(held);
     int most = held->pixels.most_rows, band = FIRST_BAND_ROWS < most ? FIRST_BAND_ROWS : most;
+    int least = held->session.block_rows > LEAST_BAND_ROWS ? held->session.block_rows : LEAST_BAND_ROWS;
     for (int row = 0; row < parameters.rows; row += parameters.band_rows) {
         parameters.first_row = row;
         parameters.band_rows = band < parameters.rows - row ? band : parameters.rows - row;
@@ -108,7 +109,7 @@ bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Erro
         if (!render_band(held, &parameters, report, error) ||
             !sink.band(sink.user, row, parameters.band_rows, held->pixels.rgb, report, error))
             return false;
-        band = next_band(band, held->session.block_rows > 16 ? held->session.block_rows : 16, most, report->trace_ms - before);
+        band = next_band(band, least, most, report->trace_ms - before);
     }
     return true;
 }

@@ -361,6 +361,7 @@ static void whole_tiles_should_not_change_a_byte(void)
     assert_whole_tiles_change_nothing("scenes/mirrors.json", 300, 200);
     assert_whole_tiles_change_nothing("scenes/original.json", 320, 240);
     assert_whole_tiles_change_nothing("tests/scenes/horizon.json", 32, 35);
+    assert_whole_tiles_change_nothing("tests/scenes/forty_lights.json", 320, 240);
 }
 
 static bool refuse_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
