@@ -36,7 +36,7 @@ typedef struct Points {
     const Nearest *nearest;
     const Mask *active;
     bool from_eye; /* the rays have one origin */
-    bool told[PACKETS];
+    Mask told[PACKETS]; /* the lanes whose points are told */
     WideVec point[PACKETS], shifted[PACKETS];
 } Points;
 
@@ -48,23 +48,21 @@ INLINE void points_of(Points *points, const Geometry *g, const Ray *rays, const 
     points->active = active;
     points->from_eye = from_eye;
     EACH_PACKET(p)
-        points->told[p] = false;
+        points->told[p] = (Mask)0;
 }
 
-/* Tells the points of packet p's active lanes, if they are not told yet. */
-NOINLINE void tell_points(Points *points, int p)
+/* Tells the points of those lanes of packet p, and of all active ones that meet the same faces, if they are not told yet. */
+NOINLINE void tell_points(Points *points, int p, Mask lanes)
 {
-    if (points->told[p])
-        return;
-    points->told[p] = true;
     const Geometry *g = points->g;
     const Nearest *nearest = points->nearest + p;
     WideMask with_normal = TO_WIDE_MASK(nearest->with_normal);
-    bool first = true;
-    for (Mask rest = points->active[p]; ANY(rest); first = false) {
+    for (Mask rest = lanes & points->active[p] & ~points->told[p]; ANY(rest);) {
         int face = first_of(nearest->face, rest);
-        Mask here = rest & IS(nearest->face == (Mask)face);
+        Mask here = points->active[p] & IS(nearest->face == (Mask)face);
+        bool first = !ANY(points->told[p]);
         rest &= ~here;
+        points->told[p] |= here;
         WideVec point = point_on(g, points->rays + p, points->from_eye, face, here);
         PlaneRow plane = plane_row(g, face);
         WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
@@ -81,9 +79,9 @@ NOINLINE void tell_points(Points *points, int p)
     }
 }
 
-INLINE const WideVec *shifted_point(Points *points, int p)
+INLINE const WideVec *shifted_point(Points *points, int p, Mask lanes)
 {
-    tell_points(points, p);
+    tell_points(points, p, lanes);
     return points->shifted + p;
 }
 
@@ -105,7 +103,7 @@ static WideVec wide_normal(const Geometry *g, const Nearest *nearest, Mask activ
  * made unit vectors, as the reference does it; float leaves them as long as they are, and the image's camera has the same. */
 INLINE void reflect(Points *points, int p, Mask active, Ray *ray, WideVec *apex)
 {
-    tell_points(points, p);
+    tell_points(points, p, active);
     WideVec r = PLAIN_IS_POOR ? wide_unit(ray->direction) : ray->direction, n = wide_normal(points->g, points->nearest + p, active);
     ray->direction = wide_sub(r, wide_scale(2 * wide_dot(r, n), n));
     ray->origin = points->shifted[p];

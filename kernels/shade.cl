@@ -247,7 +247,7 @@ INLINE void aim_shadow_rays(Pencil *pencil, const wide *light, const Sketch *dra
         pencil->doubt = DOUBT_OF(share);
         return;
     }
-    aim_from_light(pencil, light, *shifted_point(points, p));
+    aim_from_light(pencil, light, *shifted_point(points, p, points->active[p]));
 }
 
 /* The unit vectors to the viewer: back along the ray, or from the point to the eye. */
@@ -261,7 +261,7 @@ INLINE Vec look_back(const Shading *s, const wide *eye, const Sketch *drawn, Vec
         return vec_scale(-1 / drawn->length, ahead);
     if (SKETCHED && sketch_towards(drawn, eye_from_apex, points->active[p], &unit, &per_length, &share))
         return unit;
-    tell_points(points, p);
+    tell_points(points, p, points->active[p]);
     WideVec d = points->rays[p].direction, at = wide_vec((Wide)eye[0], (Wide)eye[1], (Wide)eye[2]);
     return vec_unit(vec_to_real(along_ray ? wide_vec(-d.x, -d.y, -d.z) : wide_sub(at, points->point[p])));
 }

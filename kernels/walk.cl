@@ -214,7 +214,7 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
                 if (sight == SIGHT_CLEAR)
                     hit = ask_blocked_from(pencil, &face, i, &doubt);
                 if (ANY(doubt))
-                    hit |= ask_blocked(g, shifted_point(points, p), target, doubt, i);
+                    hit |= ask_blocked(g, shifted_point(points, p, doubt), target, doubt, i);
                 if (ANY(hit)) {
                     blocked[p] |= hit;
                     pencil->active &= ~hit;

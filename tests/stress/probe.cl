@@ -44,9 +44,11 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     wide target[3] = {segments[6 * i + 3], segments[6 * i + 4], segments[6 * i + 5]};
     Pencil pencils[PACKETS];
     Points points;
+    Nearest nearest[PACKETS]; /* not asked for: the points are told */
     Mask asking[PACKETS], found[PACKETS];
+    points_of(&points, &g, 0, nearest, asking, false);
     EACH_PACKET(p) {
-        points.told[p] = true;
+        points.told[p] = (Mask)-1;
         points.shifted[p] = probe_vec(segments, i);
         asking[p] = p == 0 ? (Mask)-1 : (Mask)0;
         pencils[p].left = (Mask)left[i];
@@ -87,7 +89,7 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     Mask active = (Mask)-1;
     Points told;
     points_of(&told, &g, &ray, &nearest, &active, true);
-    tell_points(&told, 0);
+    tell_points(&told, 0, active);
     WideVec point = told.point[0], shifted = told.shifted[0];
     Wide numbers[6] = {point.x, point.y, point.z, shifted.x, shifted.y, shifted.z};
     for (int k = 0; k < 6; k++) {
