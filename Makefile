@@ -27,7 +27,7 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow
 
 # pkg-config is asked when a recipe first needs its answer, not when this file is read: `make setup` may have to
 # install it first. The variable then replaces itself by the answer.
-LIBRARIES := libpng zlib libcjson OpenCL
+LIBRARIES := libpng libisal libcjson OpenCL
 LIB_CFLAGS = $(eval LIB_CFLAGS := $(shell $(PKG_CONFIG) --cflags $(LIBRARIES)))$(LIB_CFLAGS)
 LIB_LIBS   = $(eval LIB_LIBS := $(shell $(PKG_CONFIG) --libs $(LIBRARIES)))$(LIB_LIBS)
 

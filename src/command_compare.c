@@ -99,7 +99,7 @@ static bool write_heatmap(const Image *a, const Image *b, const char *path, Erro
         }
         heat_colour(heat_of_difference(most), map.rgb + i);
     }
-    bool done = image_write(&map, path, 0, error);
+    bool done = image_write(&map, path, error);
     image_free(&map);
     return done;
 }
@@ -118,7 +118,7 @@ static bool compare(Image *a, const Image *b, const Options *options, Error *err
         return false;
     if (options->output) {
         make_difference_picture(a, b, max);
-        if (!image_write(a, options->output, 0, error))
+        if (!image_write(a, options->output, error))
             return false;
     }
     if (!options->quiet) {

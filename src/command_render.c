@@ -85,8 +85,7 @@ static bool trace(const Options *options, const Scene *scene, Painter *painter, 
 static bool render(const Options *options, const Scene *scene, const char *output, Stats *stats, Error *error)
 {
     double start = clock_ms();
-    Painter painter = {.writer = image_writer_open(output, scene->screen.columns, scene->screen.rows,
-                                                   options->settings.threads, error)};
+    Painter painter = {.writer = image_writer_open(output, scene->screen.columns, scene->screen.rows, error)};
     if (!painter.writer)
         return false;
     painter.encode_ms = clock_ms() - start;
@@ -148,7 +147,7 @@ static bool draw_map(const Options *options, const Scene *scene, Error *error)
     MapScale scale;
     bool done =
         map_draw(&image, scene, options->map, options->settings.accel, options->settings.threads, &scale, error) &&
-        image_write(&image, options->map_file, options->settings.threads, error);
+        image_write(&image, options->map_file, error);
     if (done && !options->quiet)
         print_scale(options, scale);
     image_free(&image);

@@ -1,5 +1,5 @@
-/* Pictures as PNG files, through libpng: written row by row as they are rendered, a megabyte and a half being held at a
- * time, which all processors compress; read whole for comparing.
+/* Pictures as PNG files, through libpng: written row by row as they are rendered, a quarter of a megabyte being held at a
+ * time; read whole for comparing.
  * A picture appears under its name only when it is complete: until then it has a temporary name in the
  * same folder. Floor 5. */
 #ifndef RECTRAY_IMAGE_H
@@ -13,8 +13,8 @@ typedef struct ImageWriter ImageWriter;
 
 /* Opens a picture of RGB, 8 bits each, for writing; NULL with an ERROR_SYSTEM that names the file where that is not
  * possible, so that nobody renders for an hour first. The path "-" is stdout; a device or pipe is written to as it is.
- * `threads` compress, 0: one per processor. The same rows give the same bytes, whatever the threads; no date goes in. */
-ImageWriter *image_writer_open(const char *path, int columns, int rows, int threads, Error *error);
+ * The same rows give the same bytes, however they come; no date goes in. */
+ImageWriter *image_writer_open(const char *path, int columns, int rows, Error *error);
 
 /* Adds `rows` rows from the top, 3 * columns bytes each. After a failure only abort is left. */
 bool image_writer_rows(ImageWriter *writer, const unsigned char *rgb, int rows, Error *error);
@@ -37,7 +37,7 @@ bool image_read(Image *image, const char *path, Error *error);
 /* Frees the pixels and zeroes the image. */
 void image_free(Image *image);
 
-/* Writes a whole image; `threads` as for image_writer_open. */
-bool image_write(const Image *image, const char *path, int threads, Error *error);
+/* Writes a whole image. */
+bool image_write(const Image *image, const char *path, Error *error);
 
 #endif

@@ -57,7 +57,7 @@ static const unsigned char PIXELS[18] = {0, 255, 1, 2, 3, 4, 100, 101, 102, 103,
 static void write_pixels(const char *name)
 {
     Image picture = {3, 2, (unsigned char *)PIXELS};
-    TEST_ASSERT_TRUE_MESSAGE(image_write(&picture, in_folder(name), 1, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(image_write(&picture, in_folder(name), &error), error.text);
 }
 
 static void put_text(const char *name, const char *text)
@@ -90,7 +90,7 @@ static void image_should_not_depend_on_how_rows_are_grouped(void)
 {
     unsigned char one[512], two[512];
     write_pixels("one.png");
-    ImageWriter *writer = image_writer_open(in_folder("two.png"), 3, 2, 1, &error);
+    ImageWriter *writer = image_writer_open(in_folder("two.png"), 3, 2, &error);
     TEST_ASSERT_NOT_NULL(writer);
     TEST_ASSERT_TRUE(image_writer_rows(writer, PIXELS, 1, &error));
     TEST_ASSERT_TRUE(image_writer_rows(writer, PIXELS + 9, 1, &error));
@@ -103,7 +103,7 @@ static void image_should_not_depend_on_how_rows_are_grouped(void)
 static void image_should_appear_only_when_it_is_complete(void)
 {
     put_text("a.png", "old");
-    ImageWriter *writer = image_writer_open(in_folder("a.png"), 3, 2, 1, &error);
+    ImageWriter *writer = image_writer_open(in_folder("a.png"), 3, 2, &error);
     TEST_ASSERT_NOT_NULL(writer);
     TEST_ASSERT_TRUE(image_writer_rows(writer, PIXELS, 1, &error));
     unsigned char bytes[8];
@@ -115,7 +115,7 @@ static void image_should_appear_only_when_it_is_complete(void)
 
 static void image_should_not_be_committed_with_rows_missing(void)
 {
-    ImageWriter *writer = image_writer_open(in_folder("a.png"), 3, 2, 1, &error);
+    ImageWriter *writer = image_writer_open(in_folder("a.png"), 3, 2, &error);
     TEST_ASSERT_NOT_NULL(writer);
     TEST_ASSERT_TRUE(image_writer_rows(writer, PIXELS, 1, &error));
     TEST_ASSERT_FALSE(image_writer_commit(writer, &error));
@@ -149,11 +149,11 @@ static void image_should_follow_a_link_to_its_target(void)
 
 static void image_writer_should_refuse_what_cannot_be_written(void)
 {
-    TEST_ASSERT_NULL(image_writer_open(folder, 3, 2, 1, &error));
+    TEST_ASSERT_NULL(image_writer_open(folder, 3, 2, &error));
     TEST_ASSERT_EQUAL_INT(ERROR_SYSTEM, error.kind);
     TEST_ASSERT_NOT_NULL(strstr(error.text, "Is a directory"));
     error = (Error){0};
-    TEST_ASSERT_NULL(image_writer_open(in_folder("missing/a.png"), 3, 2, 1, &error));
+    TEST_ASSERT_NULL(image_writer_open(in_folder("missing/a.png"), 3, 2, &error));
     TEST_ASSERT_NOT_NULL(strstr(error.text, "missing/a.png: No such file or directory"));
     TEST_ASSERT_EQUAL_INT(0, empty_folder());
 }
@@ -163,7 +163,7 @@ static void image_writer_should_tell_of_a_full_disk(void)
     Image picture = {3, 2, (unsigned char *)PIXELS};
     if (access("/dev/full", W_OK) != 0)
         TEST_IGNORE_MESSAGE("no /dev/full here");
-    TEST_ASSERT_FALSE(image_write(&picture, "/dev/full", 1, &error));
+    TEST_ASSERT_FALSE(image_write(&picture, "/dev/full", &error));
     TEST_ASSERT_EQUAL_STRING("cannot write /dev/full: No space left on device", error.text);
     TEST_ASSERT_EQUAL_INT(ERROR_SYSTEM, error.kind);
 }
@@ -283,7 +283,7 @@ static void image_read_should_refuse_a_damaged_or_enormous_picture(void)
         image_free(&image);
     }
     error = (Error){0};
-    ImageWriter *writer = image_writer_open(in_folder("wide.png"), IMAGE_MAX_SIDE + 1, 1, 1, &error);
+    ImageWriter *writer = image_writer_open(in_folder("wide.png"), IMAGE_MAX_SIDE + 1, 1, &error);
     unsigned char *row = calloc(IMAGE_MAX_SIDE + 1, 3);
     TEST_ASSERT_TRUE(writer && row && image_writer_rows(writer, row, 1, &error) && image_writer_commit(writer, &error));
     free(row);

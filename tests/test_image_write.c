@@ -1,5 +1,5 @@
-/* Pictures that are compressed by pieces: every size, cut anywhere, by any number of threads, is one and the same file, and
- * a reader that takes a warning for an error finds the pixels in it. */
+/* Pictures of every size, however their rows come, are one and the same file, and a reader that takes a warning for an error
+ * finds the pixels in it. */
 #define _XOPEN_SOURCE 700 /* mkdtemp */
 #include "image.h"
 
@@ -51,9 +51,9 @@ static void make_picture(int columns, int rows)
 }
 
 /* Writes the picture, `step` rows at a time. */
-static void write_picture(int threads, int step)
+static void write_picture(int step)
 {
-    ImageWriter *writer = image_writer_open(path, image.columns, image.rows, threads, &error);
+    ImageWriter *writer = image_writer_open(path, image.columns, image.rows, &error);
     TEST_ASSERT_NOT_NULL(writer);
     for (int row = 0; row < image.rows; row += step) {
         int rows = image.rows - row < step ? image.rows - row : step;
@@ -111,7 +111,7 @@ static unsigned char *file_bytes(long *length)
 static void check_size(int columns, int rows)
 {
     make_picture(columns, rows);
-    write_picture(3, rows);
+    write_picture(rows);
     assert_picture_is_read();
 }
 
@@ -130,12 +130,12 @@ static void picture_of_one_row_or_column_should_be_read_again(void)
     check_size(1, 2001);
 }
 
-/* A piece of a picture 1365 wide is 48 rows of 4096 bytes, 192 KiB; 8 pieces are compressed at a time. */
-static void picture_should_be_read_again_where_pieces_end(void)
+/* Of a picture 1365 wide 64 rows of 4096 bytes, 256 KiB, are compressed at a time. */
+static void picture_should_be_read_again_where_rows_are_compressed(void)
 {
-    for (int pieces = 1; pieces <= 17; pieces += pieces == 1 ? 6 : 1)
+    for (int times = 1; times <= 12; times++)
         for (int more = -1; more <= 1; more++)
-            check_size(1365, 48 * pieces + more);
+            check_size(1365, 64 * times + more);
 }
 
 static void picture_of_the_widest_rows_should_be_read_again(void)
@@ -145,28 +145,27 @@ static void picture_of_the_widest_rows_should_be_read_again(void)
     check_size(IMAGE_MAX_SIDE, 100);
 }
 
-static void file_should_depend_neither_on_threads_nor_on_how_rows_come(void)
+static void file_should_not_depend_on_how_rows_come(void)
 {
-    static const int threads[] = {1, 2, 3, 8, 0}, steps[] = {1, 7, 48, 64, 1000};
+    static const int steps[] = {1, 7, 64, 65, 999};
     long length, other;
     make_picture(1365, 1000);
-    write_picture(1, 1000);
+    write_picture(1000);
     unsigned char *bytes = file_bytes(&length);
-    for (int t = 0; t < 5; t++)
-        for (int s = 0; s < 5; s++) {
-            write_picture(threads[t], steps[s]);
-            unsigned char *again = file_bytes(&other);
-            TEST_ASSERT_EQUAL_INT(length, other);
-            TEST_ASSERT_EQUAL_INT(0, memcmp(bytes, again, (size_t)length));
-            free(again);
-        }
+    for (int i = 0; i < 5; i++) {
+        write_picture(steps[i]);
+        unsigned char *again = file_bytes(&other);
+        TEST_ASSERT_EQUAL_INT(length, other);
+        TEST_ASSERT_EQUAL_INT(0, memcmp(bytes, again, (size_t)length));
+        free(again);
+    }
     free(bytes);
 }
 
 static void writer_should_be_left_halfway(void)
 {
     make_picture(1365, 1000);
-    ImageWriter *writer = image_writer_open(path, 1365, 1000, 2, &error);
+    ImageWriter *writer = image_writer_open(path, 1365, 1000, &error);
     TEST_ASSERT_NOT_NULL(writer);
     TEST_ASSERT_TRUE(image_writer_rows(writer, image.rgb, 900, &error));
     TEST_ASSERT_FALSE(image_writer_commit(writer, &error));
@@ -180,9 +179,9 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(picture_of_few_pixels_should_be_read_again);
     RUN_TEST(picture_of_one_row_or_column_should_be_read_again);
-    RUN_TEST(picture_should_be_read_again_where_pieces_end);
+    RUN_TEST(picture_should_be_read_again_where_rows_are_compressed);
     RUN_TEST(picture_of_the_widest_rows_should_be_read_again);
-    RUN_TEST(file_should_depend_neither_on_threads_nor_on_how_rows_come);
+    RUN_TEST(file_should_not_depend_on_how_rows_come);
     RUN_TEST(writer_should_be_left_halfway);
     return UNITY_END();
 }

@@ -154,7 +154,7 @@ static bool run(const Arguments *arguments, Scene *scene, PeerScene *peer, Image
     print_report(&trial, arguments->serve ? 0 : arguments->repeats);
     if (arguments->serve)
         serve(&trial);
-    return !arguments->output || image_write(image, arguments->output, 0, error);
+    return !arguments->output || image_write(image, arguments->output, error);
 }
 
 int main(int argc, char **argv)
