@@ -62,7 +62,7 @@ $(FOUND):
 
 # The kernel sources in the order in which OpenCL compiles them, as one program.
 KERNELS := skips.h layout.h lanes.cl power.cl exact.cl geometry.cl apex.cl trace.cl points.cl bundle.cl bvh.cl kdtree.cl walk.cl \
-    shade.cl corners.cl camera.cl picture.cl outlook.cl facet.cl told_tile.cl whole_tile.cl render.cl beam.cl whole_beam.cl \
+    shade.cl corners.cl camera.cl picture.cl outlook.cl facet.cl told_tile.cl whole_tile.cl render.cl cast.cl beam.cl whole_beam.cl \
     beam_query.cl adaptive.cl refine.cl
 
 PROGRAM := $(BUILD)/rectray

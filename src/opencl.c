@@ -168,7 +168,7 @@ OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Err
     }
     held->session = (OpenclSession){.linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
     if (lean_scene_make(&held->lean, scene, settings, &held->report, error) &&
-        opencl_prepare(&held->session, "render", &held->lean.scene, settings, &held->on_device, &held->report, error) &&
+        opencl_prepare(&held->session, &held->lean.scene, settings, &held->on_device, &held->report, error) &&
         make_pixels(held, settings->linear, error) && make_kernel(held, error) &&
         opencl_warm_up(&held->session, &held->on_device, held->kernel, parameters_of(held), &held->report, error))
         return held;

@@ -63,10 +63,10 @@ bool opencl_cast(const Scene *scene, const RenderSettings *settings, const doubl
     memset(report, 0, sizeof *report);
     if (count == 0)
         return true;
-    OpenclSession session = {0};
+    OpenclSession session = {.casts = true};
     CastArrays arrays = {0};
     SceneOnDevice on_device;
-    bool ok = opencl_prepare(&session, "cast", scene, settings, &on_device, report, error) &&
+    bool ok = opencl_prepare(&session, scene, settings, &on_device, report, error) &&
               cast_arrays(&arrays, &session, rays, count, error) &&
               cast_session(&session, scene, &on_device, &arrays, count, report, error);
     for (long i = 0; ok && i < count; i++) {

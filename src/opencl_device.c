@@ -191,9 +191,17 @@ static void keep_threads_in_place(int threads)
         setenv("POCL_AFFINITY", "1", 0);
 }
 
+/* PoCL compiles a kernel for launches of any size when it is to be kept, and before that for the size of the first launch. Here
+ * groups are single work-items, for which the two are as fast. */
+static void compile_once(void)
+{
+    setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
+}
+
 bool opencl_find_device(int number, int threads, cl_device_id *device, DeviceInfo *info, Error *error)
 {
     keep_threads_in_place(threads);
+    compile_once();
     if (threads > 0) {
         char text[16];
         snprintf(text, sizeof text, "%d", threads);

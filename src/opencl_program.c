@@ -96,14 +96,14 @@ static void write_options(const OpenclSession *session, Variant variant, RenderR
              (int)sizeof(Parameters));
     char *options = report->build_options;
     size_t room = sizeof report->build_options, used = strlen(options);
-    snprintf(options + used, room - used, "%s%s", session->linear ? " -DLINEAR=1" : "",
-             session->adaptive ? " -DADAPTIVE=1" : "");
+    snprintf(options + used, room - used, "%s%s%s", session->linear ? " -DLINEAR=1" : "",
+             session->adaptive ? " -DADAPTIVE=1" : "", session->casts ? " -DCASTS=1" : "");
 }
 
-static CacheKey key_of(const OpenclSession *session, const Sources *sources, const char *name, const char *options)
+static CacheKey key_of(const OpenclSession *session, const Sources *sources, const char *options)
 {
     const DeviceInfo *info = &session->info;
-    const char *place[] = {info->platform, info->name, info->version, info->driver, options, name};
+    const char *place[] = {info->platform, info->name, info->version, info->driver, options};
     CacheKey key = {CACHE_HASH_START, CACHE_HASH_START};
     for (size_t i = 0; i < sizeof place / sizeof place[0]; i++)
         key.place = cache_hash(key.place, place[i]);
@@ -196,7 +196,7 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
     return true;
 }
 
-bool opencl_build(OpenclSession *session, const char *name, Variant variant, RenderReport *report, Error *error)
+bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error)
 {
     double start = clock_ms();
     Sources sources = {.count = 0};
@@ -205,7 +205,7 @@ bool opencl_build(OpenclSession *session, const char *name, Variant variant, Ren
         ok = sources_add(&sources, i, getenv("RECTRAY_KERNELS"), error);
     if (ok) {
         write_options(session, variant, report);
-        session->key = key_of(session, &sources, name, report->build_options);
+        session->key = key_of(session, &sources, report->build_options);
         ok = build_program(session, &sources, report->build_options, error);
     }
     sources_free(&sources);

@@ -5,7 +5,7 @@
 #include "opencl_cache.h"
 #include "opencl_device.h"
 
-/* PoCL compiles a kernel once more for launches of more than 65535 work-groups. */
+/* Where PoCL is told to specialise kernels, it compiles one once more for launches of more than 65535 work-groups. */
 enum { OPENCL_MAX_BUFFERS = 16, OPENCL_MAX_ITEMS = 65535 };
 
 /* Zero it, open it, build its kernels, close it; the buffers made with it are freed with it. */
@@ -17,7 +17,8 @@ typedef struct OpenclSession {
     int block_across;                   /* so many tiles side by side, and below one another, are a work-item's */
     int block_columns, block_rows;      /* their pixels */
     bool wide_is_double; /* t comes back as double */
-    bool adaptive;       /* the kernels are to hold those of adaptive sampling */
+    bool adaptive;       /* the kernel is `render_adaptive` */
+    bool casts;          /* it is `cast`; else it is `render`. One is built: a compiler takes seconds for each */
     bool linear;         /* pixels come back as three reals, not clamped, instead of three bytes */
     cl_device_id device;
     cl_context context;
@@ -41,10 +42,10 @@ typedef struct Variant {
     int stack_size;   /* nodes that a walk may have to remember */
 } Variant;
 
-/* Builds the program for running the kernel `name`: from the sources embedded in rectray, or from the files of the folder that
+/* Builds the session's kernel: from the sources embedded in rectray, or from the files of the folder that
  * the environment variable RECTRAY_KERNELS names (unless it is empty), or from what an earlier run has kept of the same
  * sources. Time and build options go to the report. A kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
-bool opencl_build(OpenclSession *session, const char *name, Variant variant, RenderReport *report, Error *error);
+bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error);
 
 /* Keeps the program for later runs if it was compiled in this one; to be called when the kernel has run once. */
 void opencl_keep(OpenclSession *session);

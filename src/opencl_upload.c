@@ -93,7 +93,7 @@ static bool build_tree(const OpenclSession *session, const Scene *scene, const R
     return ok;
 }
 
-bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene, const RenderSettings *settings,
+bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings,
                     SceneOnDevice *on_device, RenderReport *report, Error *error)
 {
     Accel accel = {.kind = ACCEL_NONE};
@@ -101,7 +101,7 @@ bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene
     unsigned char *closed = closed_boxes(scene, settings, error);
     bool ok = closed && opencl_open(session, settings, report, error) &&
               build_tree(session, scene, settings, &accel, closed, &tree, report, error) &&
-              opencl_build(session, name, (Variant){accel.kind, tree.node_width, tree.stack_size}, report, error) &&
+              opencl_build(session, (Variant){accel.kind, tree.node_width, tree.stack_size}, report, error) &&
               upload(session, scene, settings, &accel, closed, &tree, on_device, report, error);
     accel_free(&accel);
     device_tree_free(&tree);

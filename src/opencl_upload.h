@@ -11,9 +11,9 @@ typedef struct SceneOnDevice {
     cl_mem parameters, faces, edges, planes, materials, lights, view, counters, tree_floats, tree_ints;
 } SceneOnDevice;
 
-/* From settings and a scene to a session with buffers and a program for the kernel `name`; the session is to be closed also
+/* From settings and a scene to a session with buffers and a program for its kernel; the session is to be closed also
  * after a failure. Times, and a tree that was left out, go to the report. */
-bool opencl_prepare(OpenclSession *session, const char *name, const Scene *scene, const RenderSettings *settings,
+bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings,
                     SceneOnDevice *on_device, RenderReport *report, Error *error);
 
 /* What the kernels are told of the scene; the caller adds the band or the number of rays. */

@@ -156,6 +156,17 @@ class Kernels(CommandTest):
             self.assertIn(f"shade.cl:{len(lines) + 2}:", err)
         self.assertEqual(self.files(), ["kernels"])
 
+    def test_only_the_one_that_runs_is_compiled_and_once(self):
+        self.put("rays", "0 0 5 0 0 -1\n")
+        for name, *words in (("render", "render", "scene.json", "--grid", "1", "-o", "a.png"),
+                             ("render_adaptive", "render", "scene.json", "--sampling", "adaptive:4", "-o", "a.png"),
+                             ("cast", "cast", "scene.json", "--rays", "rays")):
+            cache = self.path(name)
+            self.run_program(*words, env=dict(os.environ, RECTRAY_CACHE_DIR="", POCL_CACHE_DIR=cache))
+            compiled = [file for _, _, files in os.walk(cache) for file in files if file.endswith(".so")]
+            if compiled: # else the driver is not PoCL
+                self.assertEqual(compiled, [name + ".so"])
+
     def test_they_are_kept_where_that_is_possible_and_made_anew_elsewhere(self):
         self.put("file", "not a folder")
         homeless = {key: value for key, value in os.environ.items()
@@ -175,7 +186,7 @@ class Kernels(CommandTest):
 class Threads(CommandTest):
     def processors_of_threads(self, *words, **environment):
         """What the threads of a render, seen again and again until it ends, may run on: those that are there for a quarter of
-        its time, for the ones that write the picture are sent to their processors and let go; and but for the first one, which
+        its time, for the ones that build the tree are sent to their processors and let go; and but for the first one, which
         the driver sends round to look at the processors."""
         seen, looks = collections.Counter(), 0
         child = subprocess.Popen([PROGRAM, "render", "scene.json", "-q", "-o", "a.png", *words], cwd=self.folder,

@@ -27,8 +27,9 @@ void probe_open(Probe *probe, Precision precision)
     RenderReport report = {0};
     Error error = {0};
     Variant no_tree = {ACCEL_NONE, 1, 1};
+    probe->session = (OpenclSession){.casts = true};
     bool ok = opencl_open(&probe->session, &settings, &report, &error) &&
-              opencl_build(&probe->session, "probe", no_tree, &report, &error);
+              opencl_build(&probe->session, no_tree, &report, &error);
     probe_sources_remove(kept);
     stop_unless(ok, &error);
 }
