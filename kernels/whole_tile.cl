@@ -94,6 +94,7 @@ INLINE bool light_facet(const Geometry *g, const Shading *s, const Flight *fligh
             shade = SHADE_NONE;
         else if (!told || !(o->dark[bounce] >> i & 1))
             shade = find_shade_on(g, s, w->face, patch, &flight->camera, position, bounce == 0, flight->lanes, &stack, counters);
+        /* A light behind the face comes here only where it is to be asked in spite of that. */
         if (shade == SHADE_SOME && !find_shadow(g, s, flight, f, position, paths, &stack, blocked, counters))
             return false;
     }

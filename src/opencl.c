@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BAND_BYTES = 1 << 20, FIRST_BAND_ROWS = 64, LEAST_BAND_ROWS = 16 }; /* so few bytes that their pages, used again, stay in the cache */
+/* So few bytes that their pages, used again, stay in the cache. */
+enum { BAND_BYTES = 1 << 20, FIRST_BAND_ROWS = 64, LEAST_BAND_ROWS = 16 };
 
 #define BAND_MS 50.0 /* a band should take about this long: progress is smooth, an interrupt is soon obeyed */
 
