@@ -35,7 +35,7 @@ LIB_LIBS   = $(eval LIB_LIBS := $(shell $(PKG_CONFIG) --libs $(LIBRARIES)))$(LIB
 Q := $(if $(V),,@)
 say = $(if $(V),,@printf '  %-8s %s\n' $(1) $(2))
 
-COMPILE = $(CC) $(STANDARD) $(WARNINGS) $(WERROR) $(CFLAGS) $(INSTRUMENT) -MMD -MP -Isrc $(LIB_CFLAGS) $(CPPFLAGS)
+COMPILE = $(CC) $(STANDARD) $(WARNINGS) $(WERROR) $(CFLAGS) $(INSTRUMENT) -MMD -MP -Isrc -I. $(LIB_CFLAGS) $(CPPFLAGS)
 LINK    = $(CC) $(CFLAGS) $(INSTRUMENT) $(LDFLAGS)
 LIBS    = $(LIB_LIBS) -lm -pthread
 
@@ -60,14 +60,9 @@ $(FOUND):
 
 # --- The program ----------------------------------------------------------------------------------------------
 
-# The kernel sources in the order in which OpenCL compiles them, as one program.
-KERNELS := skips.h layout.h lanes.cl power.cl exact.cl geometry.cl apex.cl trace.cl points.cl bundle.cl bvh.cl kdtree.cl walk.cl \
-    shade.cl corners.cl camera.cl picture.cl outlook.cl facet.cl told_tile.cl whole_tile.cl render.cl cast.cl beam.cl whole_beam.cl \
-    beam_query.cl adaptive.cl refine.cl
-
 PROGRAM := $(BUILD)/rectray
 LIBRARY := $(BUILD)/librectray.a
-OBJECTS := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c))
+OBJECTS := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/*/*.c))
 LIBRARY_OBJECTS := $(filter-out %/main.o,$(OBJECTS)) $(BUILD)/kernel_sources.o
 
 .PHONY: all
@@ -92,23 +87,23 @@ $(BUILD)/kernel_sources.o: $(BUILD)/kernel_sources.c | $(FOUND)
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -c $< -o $@
 
-KERNEL_FILES := $(addprefix kernels/,$(KERNELS))
+KERNEL_FILES := $(wildcard kernels/*.cl kernels/*/*.cl kernels/*/*.h)
 
 # The kernels inside the program: each file as an array of bytes, for C99 promises no string over 4095 characters.
 $(BUILD)/kernel_sources.c: $(KERNEL_FILES) Makefile
 	@mkdir -p $(@D)
 	$(call say,embed,kernels/)
 	@{ echo '/* Made by the Makefile from kernels/. */'; \
-	   echo '#include "kernel_sources.h"'; \
+	   echo '#include "opencl/kernel_sources.h"'; \
 	   for file in $(KERNEL_FILES); do \
-	       echo "static const unsigned char $$(basename $$file | tr . _)[] = {"; \
+	       echo "static const unsigned char $$(echo $$file | tr ./ __)[] = {"; \
 	       od -An -v -tu1 $$file | sed 's/  */ /g; s/\([0-9]\) /\1, /g; s/$$/,/'; \
 	       echo '0};'; \
 	   done; \
 	   echo 'const KernelSource kernel_sources[] = {'; \
 	   for file in $(KERNEL_FILES); do \
-	       name=$$(basename $$file); array=$$(echo $$name | tr . _); \
-	       echo "    {\"$$name\", (const char *)$$array, sizeof $$array - 1},"; \
+	       array=$$(echo $$file | tr ./ __); \
+	       echo "    {\"$${file#kernels/}\", (const char *)$$array, sizeof $$array - 1},"; \
 	   done; \
 	   echo '};'; \
 	   echo 'const int kernel_source_count = $(words $(KERNEL_FILES));'; } > $@.part
@@ -160,7 +155,7 @@ test: ## run all tests, or one suite: make test suite=NAME
 	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS) \
 	    $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS)) $(if $(filter %/faults_test.py,$(SCRIPT_TESTS)),$(FAULTS)) \
 	    $(if $(filter %/random_scenes_test.sh,$(SCRIPT_TESTS)),$(RANDOM_COMPARE))
-	@RECTRAY=$(abspath $(PROGRAM)) RERUN="$(RERUN)" tests/run $(UNIT_TESTS) $(SCRIPT_TESTS)
+	@RECTRAY=$(abspath $(PROGRAM)) RERUN="$(RERUN)" tests/support/run $(UNIT_TESTS) $(SCRIPT_TESTS)
 
 .PHONY: golden
 golden: $(PROGRAM) ## renew tests/golden/ and the output in docs/walkthrough.md after a change of wording
@@ -169,7 +164,7 @@ golden: $(PROGRAM) ## renew tests/golden/ and the output in docs/walkthrough.md 
 $(BUILD)/tests/%.o: tests/%.c $(UNITY_DIR)/unity.c | $(FOUND)
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
-	$(Q)$(COMPILE) $(UNITY_FLAGS) -c $< -o $@
+	$(Q)$(COMPILE) $(UNITY_FLAGS) -Itests -c $< -o $@
 
 $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(BUILD)/tests/unity.o $(LIBRARY)
 	$(call say,link,$@)
@@ -178,11 +173,11 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(BUILD)/tests/unity.o $(LIBRARY)
 FUZZ_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/fuzz/fuzz_*.c)) $(BUILD)/tests/fuzz/shared.o
 
 # The exact oracle reckons in integers of any size, exact coverage in rationals.
-$(BUILD)/tests/test_oracle: $(BUILD)/tests/oracle.o
-$(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(BUILD)/tests/coverage.o $(BUILD)/tests/polygon.o
+$(BUILD)/tests/test_oracle: $(BUILD)/tests/support/oracle.o
+$(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(BUILD)/tests/support/coverage.o $(BUILD)/tests/support/polygon.o
 $(BUILD)/tests/test_oracle $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: LIBS += -lgmp
 
-$(BUILD)/tests/test_backends: $(BUILD)/tests/near_edge.o
+$(BUILD)/tests/test_backends: $(BUILD)/tests/support/near_edge.o
 $(BUILD)/tests/test_backends: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
 
 # The fuzzers' targets over the inputs that are kept; they too call the library.
@@ -214,7 +209,7 @@ stability: $(STRESS) ## the same, written as a table into docs/stability.md
 mutants: programs ## put small faults into copies of the tree: a named test must fail for each (MUTANT=NAME; minutes)
 	@tests/mutants/run.py $(MUTANT)
 
-STRESS_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/stress/*.c)) $(BUILD)/tests/oracle.o
+STRESS_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/stress/*.c)) $(BUILD)/tests/support/oracle.o
 SEED ?= 1
 SCALE ?= 1
 
@@ -256,7 +251,7 @@ valgrind: ## run the commands in valgrind: wrong accesses, what was never set, w
 
 # Random scenes on both backends: `make test` renders some, `make random-scenes` as many as you like.
 RANDOM_COMPARE := $(BUILD)/compare_scenes
-RANDOM_OBJECTS := $(BUILD)/tests/random/compare.o $(BUILD)/tests/near_edge.o
+RANDOM_OBJECTS := $(BUILD)/tests/random/compare.o $(BUILD)/tests/support/near_edge.o
 COUNT ?= 1000
 
 .PHONY: random-scenes
@@ -334,7 +329,7 @@ peers: ## build the programs of tests/peers/ that ours is measured against
 $(BUILD)/peers/%: tests/peers/%.c $(wildcard tests/peers/peer_*.[ch]) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
-	$(Q)$(CC) $(PEER_CFLAGS) $(WERROR) -Isrc $< $(PEER_SOURCES) $(LIBRARY) $(PEER_LIBS) $(LIBS) -o $@
+	$(Q)$(CC) $(PEER_CFLAGS) $(WERROR) -Isrc -I. $< $(PEER_SOURCES) $(LIBRARY) $(PEER_LIBS) $(LIBS) -o $@
 
 $(BUILD)/peers/embree: PEER_SOURCES := $(wildcard tests/peers/peer_*.c)
 $(BUILD)/peers/embree: PEER_LIBS := -lembree3
@@ -342,11 +337,11 @@ $(BUILD)/peers/embree: PEER_LIBS := -lembree3
 # --- Variants and care ----------------------------------------------------------------------------------------
 
 # Every test again with each memory access and each undefined operation watched. What the OpenCL driver itself
-# leaks is none of ours: tests/lsan.supp.
+# leaks is none of ours: tests/support/lsan.supp.
 .PHONY: asan
 asan: ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer (suite=NAME too)
 	@ASAN_OPTIONS=$${ASAN_OPTIONS:-detect_stack_use_after_return=1} UBSAN_OPTIONS=$${UBSAN_OPTIONS:-print_stacktrace=1} \
-	 LSAN_OPTIONS=suppressions=$(abspath tests/lsan.supp):print_suppressions=0 \
+	 LSAN_OPTIONS=suppressions=$(abspath tests/support/lsan.supp):print_suppressions=0 \
 	 $(MAKE) --no-print-directory test BUILD=build/asan RERUN="make asan" CFLAGS="-O1 -g -fno-omit-frame-pointer" \
 	     INSTRUMENT="-fsanitize=address,undefined -fno-sanitize-recover=all"
 
@@ -369,20 +364,20 @@ programs: $(PROGRAM) $(UNIT_TESTS) $(STRESS) $(FAULTS) $(RANDOM_COMPARE)
 
 .PHONY: format
 format: ## give the C sources the style of .clang-format
-	clang-format -i $(wildcard src/*.[ch] tests/*.[ch] tests/stress/*.[ch] tests/fuzz/*.[ch] tests/random/*.[ch])
+	clang-format -i $(wildcard src/*.[ch] src/*/*.[ch] tests/support/*.[ch] tests/*.[ch] tests/stress/*.[ch] tests/fuzz/*.[ch] tests/random/*.[ch])
 
 .PHONY: lint
 lint: ## look for likely mistakes with clang-tidy (.clang-tidy) and cppcheck
 	@.ci/setup --check lint
 	@$(MAKE) --no-print-directory --silent $(FOUND)
-	@for file in $(wildcard src/*.c); do \
-	    case $$file in src/error.c|src/json.c) hint= ;; *) hint="-include .ci/lint.h" ;; esac; \
-	    clang-tidy --quiet --warnings-as-errors='*' $$file -- $(STANDARD) -Isrc $(LIB_CFLAGS) $$hint 2>$(BUILD)/lint.log || \
+	@for file in $(wildcard src/*.c src/*/*.c); do \
+	    case $$file in src/base/error.c|src/json/json.c) hint= ;; *) hint="-include .ci/lint.h" ;; esac; \
+	    clang-tidy --quiet --warnings-as-errors='*' $$file -- $(STANDARD) -Isrc -I. $(LIB_CFLAGS) $$hint 2>$(BUILD)/lint.log || \
 	        failed=yes; \
 	done; \
 	test -z "$$failed"
 	cppcheck --quiet --std=c99 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-	    --suppress=missingIncludeSystem -Isrc -D_POSIX_C_SOURCE=200809L src
+	    --suppress=missingIncludeSystem -Isrc -I. -D_POSIX_C_SOURCE=200809L src
 
 .PHONY: clean
 clean: ## remove everything that was built

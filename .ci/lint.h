@@ -1,7 +1,7 @@
 /* Included before every source by `make lint` alone: clang-tidy looks at one source at a time and cannot know that these
  * always return false. */
-#include "error.h"
-#include "json.h"
+#include "base/error.h"
+#include "json/json.h"
 
 #define error_set(...) (error_set(__VA_ARGS__), false)
 #define error_memory(...) (error_memory(__VA_ARGS__), false)

@@ -1,6 +1,6 @@
 /* rectray: finds the command and lets it run. Only here an Error becomes a message and an exit status. */
-#include "command.h"
-#include "interrupt.h"
+#include "command/command.h"
+#include "base/interrupt.h"
 
 #include <errno.h>
 #include <fcntl.h>

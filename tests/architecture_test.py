@@ -1,70 +1,99 @@
-"""The house stands as docs/architecture.md says: every source file has its place there, and no file includes from a
-floor above its own. Files that share the first word of their names are parts of one room."""
+"""The house stands as docs/architecture.md says. Its folders are floors: a file includes only from its own folder and from the
+folders before it in the lists below, and the files of a folder form no circle."""
 import re
 import unittest
-from fnmatch import fnmatch
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-SOURCES = sorted((ROOT / "src").glob("*.[ch]"))
-KERNELS = sorted((ROOT / "kernels").iterdir())
+
+# The folders from the ground up; "" is the top of the tree.
+FLOORS = {
+    "src": ["base", "json", "scene", "reader", "trace", "opencl", "picture", "walkthrough", "bench", "command", ""],
+    "kernels": ["shared", "packet", "tile", "adaptive", ""],
+}
+
+# Folders that do not know each other, although one stands before the other.
+APART = {("json", "scene"), ("opencl", "picture"), ("opencl", "walkthrough"), ("picture", "walkthrough"), ("tile", "adaptive")}
+
+# What an included name stands for that the host chooses: opencl_sources.h.
+CHOICES = {"TREE": ["packet/bvh.cl", "packet/kdtree.cl", "packet/all_faces.cl"],
+           "BEAM_TREE": ["adaptive/beam_bvh.cl", "adaptive/beam_kdtree.cl", "adaptive/beam_all_faces.cl"]}
 
 
-def floors():
-    """The floor that each header states, by the name that it shares with its .c file."""
-    stated = {}
-    for header in (ROOT / "src").glob("*.h"):
-        floor = re.search(r"\bFloor (\d)\b", header.read_text(encoding="utf-8"))
-        if floor:
-            stated[header.stem] = int(floor.group(1))
-    return stated
+def sources(top):
+    """Each file of the tree `top`, by its path in it, with the paths of the files of that tree that it includes."""
+    found = {}
+    for path in sorted((ROOT / top).rglob("*.*")):
+        text = path.read_text(encoding="utf-8")
+        included = re.findall(r'^#include "([^"]+)"', text, re.M)
+        for name in re.findall(r"^#include (\w+)$", text, re.M):
+            included += CHOICES[name]
+        folder = str(path.parent.relative_to(ROOT / top))
+        name = str(path.relative_to(ROOT / top))
+        found[name] = [f"{folder}/{other}" if "/" not in other else other for other in included]
+    return found
 
 
-def room_of(stem):
-    return stem.split("_")[0]
+def folder_of(name):
+    return name.rpartition("/")[0]
 
 
-def floor_of(path, includes, stated):
-    """A file without a header of its own, such as a command's, stands where the headers of its room do that it includes;
-    main.c, on top of all, has none: None."""
-    if path.stem in stated:
-        return stated[path.stem]
-    return max((stated[name] for name in includes if room_of(name) == room_of(path.stem)), default=None)
+def find_circle(included):
+    """A list of files each of which includes the next one, and the last the first; None if there is none."""
+    done, way = set(), []
+
+    def visit(name):
+        if name in way:
+            return way[way.index(name):]
+        if name in done:
+            return None
+        way.append(name)
+        for other in included.get(name, []):
+            circle = visit(other)
+            if circle:
+                return circle
+        done.add(way.pop())
+        return None
+
+    for name in included:
+        circle = visit(name)
+        if circle:
+            return circle
+    return None
 
 
 class Architecture(unittest.TestCase):
-    def test_page_names_every_source(self):
-        named = set(re.findall(r"`([\w.*]+)`", PAGE))
-        for path in SOURCES:
-            # A group of files such as image_read.c and image_write.c may share a header that is named by its parts.
-            known = any(fnmatch(path.stem, name) or path.name == name or name.startswith(path.stem + "_")
-                        for name in named)
-            self.assertTrue(known, f"docs/architecture.md does not name src/{path.name}")
+    def test_every_folder_has_its_floor(self):
+        for top, floors in FLOORS.items():
+            self.assertEqual(sorted({folder_of(name) for name in sources(top)} | {""}), sorted(floors))
 
-    def test_page_names_every_kernel(self):
-        for path in KERNELS:
-            self.assertTrue(f"`{path.name}`" in PAGE, f"docs/architecture.md does not name kernels/{path.name}")
+    def test_no_file_includes_from_a_folder_above_its_own(self):
+        for top, floors in FLOORS.items():
+            for name, included in sources(top).items():
+                for other in included:
+                    if other.startswith("kernels/"):
+                        continue
+                    here, there = folder_of(name), folder_of(other)
+                    self.assertIn(there, floors, f"{top}/{name} includes {other}")
+                    self.assertLessEqual(floors.index(there), floors.index(here), f"{top}/{name} includes {other}")
+                    self.assertNotIn((there, here), APART, f"{top}/{name} includes {other}")
 
-    def test_page_names_no_file_that_is_gone(self):
-        stems = {path.stem for path in SOURCES}
-        names = {path.name for path in SOURCES + KERNELS}
-        table = PAGE[PAGE.index("| what |"):PAGE.index("A name without")]
-        for name in re.findall(r"`([\w.]+)`", table):
-            self.assertTrue(name in stems or name in names, f"docs/architecture.md names src/{name}, which is not there")
+    def test_no_files_include_each_other_in_a_circle(self):
+        for top in FLOORS:
+            self.assertIsNone(find_circle(sources(top)))
 
-    def test_every_header_states_its_floor(self):
-        missing = {path.stem for path in SOURCES if path.suffix == ".h"} - set(floors())
-        self.assertEqual(missing, set())
+    def test_host_includes_of_the_kernels_only_what_both_share(self):
+        for name, included in sources("src").items():
+            for other in included:
+                if other.startswith("kernels/"):
+                    self.assertRegex(other, r"^kernels/shared/\w+\.h$", f"src/{name}")
 
-    def test_no_file_includes_from_above(self):
-        stated = floors()
-        for path in SOURCES:
-            includes = re.findall(r'#include "(\w+)\.h"', path.read_text(encoding="utf-8"))
-            floor = floor_of(path, includes, stated)
-            for included in includes:
-                if floor is not None and included in stated and room_of(included) != room_of(path.stem):
-                    self.assertLessEqual(stated[included], floor, f"src/{path.name} includes {included}.h")
+    def test_every_included_kernel_file_is_there(self):
+        found = sources("kernels")
+        for name, included in found.items():
+            for other in included:
+                self.assertIn(other, found, f"kernels/{name} includes {other}")
 
 
 if __name__ == "__main__":

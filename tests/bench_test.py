@@ -9,7 +9,7 @@ import tempfile
 import time
 import unittest
 
-from program import PROGRAM as RECTRAY, SOAK
+from support.program import PROGRAM as RECTRAY, SOAK
 
 SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes", "minimal.json")
 MARKS = ("<!-- bench: made by `make bench-peers`, from here -->\n", "<!-- bench: to here -->\n")

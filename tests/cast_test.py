@@ -7,7 +7,7 @@ import struct
 import subprocess
 import unittest
 
-from program import SCENE, CommandTest
+from support.program import SCENE, CommandTest
 
 
 class Cast(CommandTest):

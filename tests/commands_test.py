@@ -10,7 +10,7 @@ import struct
 import subprocess
 import unittest
 
-from program import PROGRAM, SCENE, CommandTest, png_pixels
+from support.program import PROGRAM, SCENE, CommandTest, png_pixels
 
 
 class ExitStatus(CommandTest):
@@ -139,21 +139,21 @@ class Kernels(CommandTest):
     def test_they_are_read_from_the_folder_that_is_named(self):
         with_folder = dict(os.environ, RECTRAY_KERNELS=self.path("nowhere"))
         _, err = self.run_program("render", "scene.json", status=3, env=with_folder)
-        self.assertIn("nowhere/skips.h: cannot be opened", err)
+        self.assertIn("nowhere/tile/render.cl: cannot be opened", err)
 
     def test_no_folder_is_named_by_an_empty_name(self):
         self.run_program("render", "scene.json", env=dict(os.environ, RECTRAY_KERNELS=""))
 
     def test_one_that_does_not_compile_is_3_and_its_file_and_line_are_told(self):
         shutil.copytree("kernels", self.path("kernels"))
-        with open(self.path("kernels/shade.cl"), "r+", encoding="utf-8") as file:
+        with open(self.path("kernels/packet/intersect.cl"), "r+", encoding="utf-8") as file:
             lines = file.read().splitlines()
             file.write("\nthis is no kernel;\n")
         for words in (["render", "scene.json", "-o", "a.png"], ["cast", "scene.json"]):
             _, err = self.run_program(*words, text_in="0 0 0 1 1 1\n", status=3,
                                       env=dict(os.environ, RECTRAY_KERNELS=self.path("kernels")))
             self.assertRegex(err, r"(?m)^rectray: the kernels do not compile for \S.*; the compiler says:$")
-            self.assertIn(f"shade.cl:{len(lines) + 2}:", err)
+            self.assertIn(f"packet/intersect.cl:{len(lines) + 2}:", err)
         self.assertEqual(self.files(), ["kernels"])
 
     def test_only_the_one_that_runs_is_compiled_and_once(self):

@@ -6,7 +6,7 @@ import struct
 import unittest
 import zlib
 
-from program import CommandTest
+from support.program import CommandTest
 
 
 def png(columns, rows, pixels, color_type=2):

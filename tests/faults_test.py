@@ -8,7 +8,7 @@ import re
 import tempfile
 import unittest
 
-from program import PROGRAM, SOAK, CommandTest
+from support.program import PROGRAM, SOAK, CommandTest
 
 FAULTS = os.path.join(os.path.dirname(PROGRAM), "faults")
 
@@ -160,7 +160,7 @@ class Opencl(FaultTest):
     def test_no_call_is_forgotten(self):
         with open("tests/faults/opencl.c", encoding="utf-8") as file:
             known = set(re.findall(r"\bcl[A-Z]\w+", file.read()))
-        for path in glob.glob("src/*.c"):
+        for path in glob.glob("src/**/*.c", recursive=True):
             with open(path, encoding="utf-8") as file:
                 self.assertLessEqual(set(re.findall(r"\bcl[A-Z]\w+(?=\()", file.read())), known, path)
 

@@ -100,7 +100,7 @@ class Chapter(unittest.TestCase):
         self.assertEqual(re.sub(r"\n+", "\n", shown), re.sub(r"\n+", "\n", output_of(command)).rstrip("\n"))
 
     def test_the_functions_that_it_names_are_there(self):
-        named = re.findall(r"`(\w+)` in `(src/\w+\.[ch])`", read(CHAPTER))
+        named = re.findall(r"`(\w+)` in `(src/\w+/\w+\.[ch])`", read(CHAPTER))
         self.assertGreater(len(named), 10)
         for function, path in named:
             self.assertRegex(read(path), rf"(?m)^[^\s].*\b{function}\(.*\n\{{", f"{function} in {path}")

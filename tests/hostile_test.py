@@ -14,7 +14,7 @@ import unittest
 import xml.etree.ElementTree
 import zlib
 
-from program import PROGRAM, SCENE, SOAK, CommandTest
+from support.program import PROGRAM, SCENE, SOAK, CommandTest
 
 with open(PROGRAM, "rb") as program:
     SANITIZED = b"__asan_init" in program.read()

@@ -10,7 +10,7 @@ import time
 import unittest
 from random import Random
 
-from program import PROGRAM, SOAK, CommandTest
+from support.program import PROGRAM, SOAK, CommandTest
 
 
 class Output(CommandTest):

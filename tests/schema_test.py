@@ -10,7 +10,7 @@ import sys
 
 import jsonschema
 
-from program import PROGRAM
+from support.program import PROGRAM
 
 BAD = "tests/scenes/bad/"
 failed = set()

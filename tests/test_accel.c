@@ -1,9 +1,9 @@
 /* Trees must not change what is seen: the same faces, the same t to the last bit, the same pictures. */
-#include "accel.h"
+#include "trace/accel.h"
 
-#include "crowds.h"
-#include "reference.h"
-#include "reference_render.h"
+#include "support/crowds.h"
+#include "trace/reference.h"
+#include "trace/reference_render.h"
 
 #include <string.h>
 

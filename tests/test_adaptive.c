@@ -1,12 +1,12 @@
 /* Adaptive sampling: what it refines, what it leaves, and that both backends decide alike. */
-#include "adaptive.h"
-#include "light.h"
-#include "opencl.h"
-#include "reference.h"
-#include "reference_render.h"
-#include "scene_json.h"
+#include "trace/adaptive.h"
+#include "scene/light.h"
+#include "opencl/opencl.h"
+#include "trace/reference.h"
+#include "trace/reference_render.h"
+#include "reader/scene_json.h"
 
-#include "support.h"
+#include "support/support.h"
 
 #include <glob.h>
 #include <stdio.h>

@@ -2,12 +2,12 @@
  * The double kernel must give the reference's bytes. The float kernel may be off by more than 1/255 in 0.01 % of the pixels,
  * in one pixel of a picture too small for that share to allow any, and only where the 3 x 3 pixels around show an edge: of
  * a face, of a shadow, or of either in a mirror. A new scene file is tested without a word here. */
-#include "opencl.h"
-#include "reference_render.h"
-#include "scene_json.h"
+#include "opencl/opencl.h"
+#include "trace/reference_render.h"
+#include "reader/scene_json.h"
 
-#include "near_edge.h"
-#include "support.h"
+#include "support/near_edge.h"
+#include "support/support.h"
 
 #include <glob.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* What bench error measures with: differences of linear colours, fine pictures, the truth. */
-#include "bench_truth.h"
-#include "reference.h"
-#include "scene_json.h"
+#include "bench/bench_truth.h"
+#include "trace/reference.h"
+#include "reader/scene_json.h"
 
 #include "unity.h"
 

@@ -1,7 +1,7 @@
 /* What bench makes of measured figures, which are given here; a rung of the ladder; POV-Ray, played by a line of shell. */
-#include "bench_ladder.h"
-#include "bench_report.h"
-#include "scene_json.h"
+#include "bench/bench_ladder.h"
+#include "bench/bench_report.h"
+#include "reader/scene_json.h"
 
 #include "unity.h"
 

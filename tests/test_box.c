@@ -1,5 +1,5 @@
 /* Boxes, and the part of a ray inside one. */
-#include "box.h"
+#include "scene/box.h"
 
 #include "unity.h"
 

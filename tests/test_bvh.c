@@ -1,7 +1,7 @@
 /* The bounding volume hierarchy: what every tree must be, and how good it is. */
-#include "bvh.h"
+#include "trace/bvh.h"
 
-#include "crowds.h"
+#include "support/crowds.h"
 
 #include <string.h>
 

@@ -1,9 +1,9 @@
 /* How fast the error falls with the rays that are spent, on edges, against exact coverage. */
-#include "adaptive.h"
-#include "coverage.h"
-#include "reference.h"
+#include "trace/adaptive.h"
+#include "support/coverage.h"
+#include "trace/reference.h"
 
-#include "support.h"
+#include "support/support.h"
 
 enum { COLUMNS = 40, ROWS = 30, PIXELS = COLUMNS * ROWS };
 

@@ -1,8 +1,8 @@
 /* Exact signs of determinants, against integers. A lattice of long vectors that nearly coincide gives determinants whose
  * value is small and known, while each of their six products is so large that plain doubles lose it. */
-#include "exact.h"
+#include "scene/exact.h"
 
-#include "support.h"
+#include "support/support.h"
 
 void setUp(void) {}
 void tearDown(void) {}

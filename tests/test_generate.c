@@ -1,6 +1,6 @@
 /* Generated scenes: they load, have the faces that their size says, and are the same each time. */
-#include "generate.h"
-#include "scene_json.h"
+#include "reader/generate.h"
+#include "reader/scene_json.h"
 
 #include "unity.h"
 

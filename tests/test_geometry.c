@@ -1,7 +1,7 @@
 /* The formulas of tracing, on planes and rays whose answers can be written down. */
-#include "geometry.h"
+#include "scene/geometry.h"
 
-#include "support.h"
+#include "support/support.h"
 
 void setUp(void) {}
 void tearDown(void) {}

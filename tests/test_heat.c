@@ -1,5 +1,5 @@
 /* The scale of heatmaps. */
-#include "heat.h"
+#include "picture/heat.h"
 
 #include "unity.h"
 

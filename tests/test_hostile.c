@@ -1,7 +1,7 @@
 /* Texts that no student writes by intent: cut off anywhere, nested without end, with names of a million characters, with
  * numbers at the limits. Each is a scene, or one message that is short. Single mistakes are in tests/scenes/bad/. */
-#include "scene_json.h"
-#include "text.h"
+#include "reader/scene_json.h"
+#include "base/text.h"
 
 #include "unity.h"
 

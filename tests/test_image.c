@@ -1,6 +1,6 @@
 /* Pictures: what is written is read again, all or nothing appears under the name, and every kind of PNG is read. */
 #define _XOPEN_SOURCE 700 /* mkdtemp */
-#include "image.h"
+#include "picture/image.h"
 
 #include "unity.h"
 

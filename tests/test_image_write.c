@@ -1,7 +1,7 @@
 /* Pictures of every size, however their rows come, are one and the same file, and a reader that takes a warning for an error
  * finds the pixels in it. */
 #define _XOPEN_SOURCE 700 /* mkdtemp */
-#include "image.h"
+#include "picture/image.h"
 
 #include "unity.h"
 

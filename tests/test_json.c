@@ -1,6 +1,6 @@
 /* JSON with places: what the grammar takes and refuses, and where errors point. */
-#include "json_read.h"
-#include "json_scan.h"
+#include "json/json_read.h"
+#include "json/json_scan.h"
 
 #include "unity.h"
 

@@ -1,7 +1,7 @@
 /* The k-d tree: what every tree must be, and how good it is. */
-#include "kdtree.h"
+#include "trace/kdtree.h"
 
-#include "crowds.h"
+#include "support/crowds.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Blinn-Phong, term by term, on vectors whose angles have closed-form cosines; and the last step to 8 bits. */
-#include "light.h"
+#include "scene/light.h"
 
-#include "support.h"
+#include "support/support.h"
 
 #define EXACT 1e-15
 

@@ -1,9 +1,9 @@
 /* scenes/mirrors.json against the closed form that its comment states: a piece of a geometric series in every pixel,
  * from the reference tracer within 1e-6, and in bytes from both backends. */
-#include "opencl.h"
-#include "reference.h"
-#include "reference_render.h"
-#include "scene_json.h"
+#include "opencl/opencl.h"
+#include "trace/reference.h"
+#include "trace/reference_render.h"
+#include "reader/scene_json.h"
 
 #include "unity.h"
 

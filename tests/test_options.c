@@ -1,5 +1,5 @@
 /* The command line: what is taken, what is refused, and what the refusal says. */
-#include "options.h"
+#include "command/options.h"
 
 #include "unity.h"
 

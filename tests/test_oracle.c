@@ -1,6 +1,6 @@
 /* The exact oracle against a second exact method: the textbook's steps, P = O + t R and dot(N, cross(e, c)), in rational
  * numbers, on faces that are exactly planar. An oracle that is wrong would let every other test pass. */
-#include "oracle.h"
+#include "support/oracle.h"
 
 #include "unity.h"
 

@@ -1,7 +1,7 @@
 /* The reference tracer on scenes so small that their colours are known in closed form. */
-#include "reference.h"
+#include "trace/reference.h"
 
-#include "support.h"
+#include "support/support.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* From objects to traced faces: every transform in closed form, every verdict on a shape, the centre and the rounding. */
-#include "geometry.h"
-#include "scene_build.h"
+#include "scene/geometry.h"
+#include "reader/scene_build.h"
 
 #include "unity.h"
 

@@ -1,5 +1,5 @@
 /* Scene files: what each key becomes, every default, and the error of every broken scene in tests/scenes/bad. */
-#include "scene_json.h"
+#include "reader/scene_json.h"
 
 #include "unity.h"
 

@@ -1,6 +1,6 @@
 /* Wavefront models: references, materials, lines that are skipped, and libraries. */
-#include "scene_obj.h"
-#include "text.h"
+#include "reader/scene_obj.h"
+#include "base/text.h"
 
 #include "unity.h"
 

@@ -1,10 +1,10 @@
 /* Work that is left out: each kind is counted where a scene lets it be left out, is done where it must, and never changes a
  * byte. The pictures of all scene files, with and without, are compared in test_backends.c. */
-#include "opencl.h"
-#include "reference_render.h"
-#include "skip.h"
+#include "opencl/opencl.h"
+#include "trace/reference_render.h"
+#include "trace/skip.h"
 
-#include "support.h"
+#include "support/support.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* --stats and the line of the progress. */
-#include "progress.h"
-#include "stats.h"
+#include "command/progress.h"
+#include "command/stats.h"
 
 #include "unity.h"
 

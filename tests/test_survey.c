@@ -1,8 +1,8 @@
 /* What `rectray check` counts. The scene: a camera at the origin that looks along -z, a light at (0, 5, 0), and one
  * face, a unit square around `centre` whose normal is +x, +y or +z. */
-#include "survey.h"
+#include "scene/survey.h"
 
-#include "geometry.h"
+#include "scene/geometry.h"
 
 #include "unity.h"
 

@@ -1,11 +1,11 @@
 /* The truth about a pixel, its exact box-filtered colour, found in three ways that must agree: the double reference on fine
  * grids, the exact coverage of polygons (coverage.h), and closed forms. Every tolerance is a bound that is derived: of a
  * grid, coverage_grid_bound; of a closed form, the rounding of its formula. */
-#include "coverage.h"
-#include "reference.h"
-#include "scene_json.h"
+#include "support/coverage.h"
+#include "trace/reference.h"
+#include "reader/scene_json.h"
 
-#include "support.h"
+#include "support/support.h"
 
 static SmallScene small;
 static RenderReport report;

@@ -1,9 +1,9 @@
 /* Every pixel of scenes that between them take every branch of the tracer: the walkthrough's bytes are the picture's,
  * what it tells is in order, and each kind of event, each verdict and each end of a path occurs. */
-#include "walkthrough.h"
+#include "walkthrough/walkthrough.h"
 
-#include "reference_render.h"
-#include "scene_json.h"
+#include "trace/reference_render.h"
+#include "reader/scene_json.h"
 #include "unity.h"
 
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /* The walkthrough as text, for every pixel of the scenes that take every branch: no line is too long, no number is ugly,
  * and the last line states the pixel. */
-#include "scene_json.h"
+#include "reader/scene_json.h"
 #include "unity.h"
-#include "walkthrough_formats.h"
+#include "walkthrough/walkthrough_formats.h"
 
 #include <stdlib.h>
 #include <string.h>

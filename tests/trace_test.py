@@ -12,7 +12,7 @@ import xml.etree.ElementTree
 
 import jsonschema
 
-from program import PROGRAM, CommandTest, png_pixels
+from support.program import PROGRAM, CommandTest, png_pixels
 
 HERE = os.getcwd()
 SCENES = sorted(glob.glob(os.path.join(HERE, "tests/scenes/walkthrough/*.json")))

@@ -5,7 +5,7 @@
 #ifndef RECTRAY_TESTS_FUZZ_H
 #define RECTRAY_TESTS_FUZZ_H
 
-#include "scene.h"
+#include "scene/scene.h"
 
 #include <stddef.h>
 #include <stdint.h>

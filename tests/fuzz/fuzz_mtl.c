@@ -1,7 +1,7 @@
 /* Target: the reader of material libraries. */
 #include "fuzz.h"
 
-#include "scene_mtl.h"
+#include "reader/scene_mtl.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Target: the OBJ reader, with a material library. The object has a material of its own where the model is of odd length. */
 #include "fuzz.h"
 
-#include "scene_obj.h"
+#include "reader/scene_obj.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Target: the command line. */
 #include "fuzz.h"
 
-#include "options.h"
+#include "command/options.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Target: the scene loader, with a model and a library. */
 #include "fuzz.h"
 
-#include "scene_json.h"
+#include "reader/scene_json.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #define _GNU_SOURCE /* memfd_create */
 #include "fuzz.h"
 
-#include "reference.h"
+#include "trace/reference.h"
 
 #include <stdio.h>
 #include <stdlib.h>

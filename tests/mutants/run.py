@@ -81,9 +81,9 @@ def try_mutant(folder, mutant):
 
 def undo(folder, file):
     """The mutant's objects must not stay: what depends on the file is made anew from the build's objects."""
-    names = [f"src/{os.path.basename(file)[:-2]}.o"] if file.endswith(".c") else ["kernel_sources.c", "kernel_sources.o"]
+    names = [f"{file[:-2]}.o"] if file.endswith(".c") else ["kernel_sources.c", "kernel_sources.o"]
     if file.endswith(".h"):
-        names = [os.path.relpath(path, "build") for path in glob.glob("build/src/*.o")]
+        names = [os.path.relpath(path, "build") for path in glob.glob("build/src/**/*.o", recursive=True)]
     for name in [*names, "librectray.a"]:
         subprocess.run(["cp", "-a", f"build/{name}", f"{folder}/build/{name}"], check=True)
     for program in ["stress", "rectray"]:

@@ -2,11 +2,11 @@
  * fastest, and measures that. One JSON object goes to stdout; with --serve, every line that then comes in on stdin is
  * answered by the milliseconds of one more picture, so that two programs can be measured turn by turn.
  * Usage: embree SCENE [--size COLUMNSxROWS] [--grid N] [--repeats N] [--serve] [-o PICTURE.png] */
-#include "clock.h"
-#include "image.h"
-#include "parallel.h"
+#include "base/clock.h"
+#include "picture/image.h"
+#include "base/parallel.h"
 #include "peer_trace.h"
-#include "scene_json.h"
+#include "reader/scene_json.h"
 
 #include <inttypes.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
  * from behind. Embree has no such culling in Debian's build. */
 #include "peer_scene.h"
 
-#include "clock.h"
+#include "base/clock.h"
 
 #include <stdlib.h>
 #include <string.h>

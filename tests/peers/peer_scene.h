@@ -3,7 +3,7 @@
 #ifndef RECTRAY_PEER_SCENE_H
 #define RECTRAY_PEER_SCENE_H
 
-#include "scene.h"
+#include "scene/scene.h"
 
 #include <embree3/rtcore.h>
 

@@ -3,9 +3,9 @@
 #define _GNU_SOURCE /* pthread_setaffinity_np */
 #include "peer_trace.h"
 
-#include "clock.h"
-#include "geometry.h"
-#include "parallel.h"
+#include "base/clock.h"
+#include "scene/geometry.h"
+#include "base/parallel.h"
 #include "peer_shade.h"
 
 #include <immintrin.h>

@@ -3,7 +3,7 @@
 #define RECTRAY_PEER_TRACE_H
 
 #include "peer_query.h"
-#include "render.h"
+#include "trace/render.h"
 
 /* How each kind of ray is asked, and which way shadow rays run. */
 typedef struct PeerModes {

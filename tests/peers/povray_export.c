@@ -1,8 +1,8 @@
 /* Writes a scene for POV-Ray: the same faces, view, lights and colours, as near as its shading comes to ours, so that whole
  * processes can be timed side by side. One-sided faces become two-sided ones: POV-Ray knows no others.
  * Usage: povray_export SCENE.json > SCENE.pov */
-#include "geometry.h"
-#include "scene_json.h"
+#include "scene/geometry.h"
+#include "reader/scene_json.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
 /* How exact t is, and that grazing rays meet the face where it is. Tests 7 and 8. */
-#include "oracle.h"
+#include "support/oracle.h"
 #include "scenes.h"
 #include "tests.h"
 

@@ -1,5 +1,5 @@
 /* A light where no light should be, and what a highlight is made of. Tests 11 and 20. */
-#include "reference.h"
+#include "trace/reference.h"
 #include "scenes.h"
 #include "tests.h"
 

@@ -1,6 +1,6 @@
 /* What a scene may be made of: any bits as vertices, and each kind of bad face. Tests 14 and 15. */
-#include "reference.h"
-#include "scene_build.h"
+#include "trace/reference.h"
+#include "reader/scene_build.h"
 #include "scenes.h"
 #include "tests.h"
 

@@ -1,9 +1,9 @@
 /* The stress suite: every promise of the geometry core, tried by millions of rays and judged by exact arithmetic.
  * To add a test, write it in a file of its subject, declare it in tests.h and name it below. */
-#include "oracle.h"
+#include "support/oracle.h"
 #include "tests.h"
 
-#include "clock.h"
+#include "base/clock.h"
 
 #include <stdio.h>
 #include <stdlib.h>

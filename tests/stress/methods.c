@@ -1,6 +1,6 @@
 /* The four ways to trace, behind one set of questions. */
-#include "opencl.h"
-#include "reference.h"
+#include "opencl/opencl.h"
+#include "trace/reference.h"
 #include "scenes.h"
 #include "suite.h"
 #include "textbook.h"

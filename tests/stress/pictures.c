@@ -1,8 +1,8 @@
 /* Whole paths and whole pictures. Tests 17, 18 and 19. */
-#include "opencl.h"
-#include "reference.h"
-#include "reference_render.h"
-#include "scene_json.h"
+#include "opencl/opencl.h"
+#include "trace/reference.h"
+#include "trace/reference_render.h"
+#include "reader/scene_json.h"
 #include "scenes.h"
 #include "tests.h"
 

@@ -1,5 +1,8 @@
 /* What the stress suite asks the product's kernels beside what the product asks: single functions of theirs, one work-item
- * per question, all lanes the same. Compiled behind the product's sources, every face asked in turn. */
+ * per question, all lanes the same. Compiled with the kernel `cast`, every face asked in turn. */
+#include "packet/paths.cl"
+#include "packet/camera.cl"
+#include "packet/power.cl"
 
 static WideVec probe_vec(global const wide *a, int i)
 {

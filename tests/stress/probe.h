@@ -3,8 +3,8 @@
 #ifndef RECTRAY_STRESS_PROBE_H
 #define RECTRAY_STRESS_PROBE_H
 
-#include "opencl_program.h"
-#include "opencl_scene.h"
+#include "opencl/opencl_program.h"
+#include "opencl/device_scene.h"
 
 typedef struct Probe {
     OpenclSession session;

@@ -1,11 +1,13 @@
 /* The product reads its kernels from the folder that RECTRAY_KERNELS names: the probe writes them to a folder of its own, with
- * the probe kernels behind the last. */
-#include "kernel_sources.h"
+ * the probe kernels behind `cast`, whose program they become part of. */
+#include "opencl/kernel_sources.h"
 #include "probe.h"
-#include "text.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /* The text of probe.cl, byte by byte. */
@@ -16,6 +18,8 @@ static const char probe_kernels[] = {
 static void write_source(const char *folder, const char *name, const char *text, const char *more)
 {
     char path[512];
+    snprintf(path, sizeof path, "%s/%.*s", folder, (int)strcspn(name, "/"), name);
+    mkdir(path, 0700); /* the folder of the file; it may be there already */
     snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE *file = fopen(path, "w");
     if (!file || fputs(text, file) < 0 || fputs(more, file) < 0 || fclose(file) != 0) {
@@ -29,7 +33,7 @@ static void write_sources(const char *folder)
 {
     const char *from = getenv("RECTRAY_KERNELS");
     for (int i = 0; i < kernel_source_count; i++) {
-        const char *more = i == kernel_source_count - 1 ? probe_kernels : "";
+        const char *more = strcmp(kernel_sources[i].name, "packet/cast.cl") == 0 ? probe_kernels : "";
         if (!from) {
             write_source(folder, kernel_sources[i].name, kernel_sources[i].text, more);
             continue;
@@ -50,6 +54,11 @@ static void remove_sources(const char *folder)
     char path[512];
     for (int i = 0; i < kernel_source_count; i++) {
         snprintf(path, sizeof path, "%s/%s", folder, kernel_sources[i].name);
+        remove(path);
+    }
+    for (int i = 0; i < kernel_source_count; i++) {
+        const char *name = kernel_sources[i].name;
+        snprintf(path, sizeof path, "%s/%.*s", folder, (int)strcspn(name, "/"), name);
         remove(path);
     }
     rmdir(folder);

@@ -3,7 +3,7 @@
 #ifndef RECTRAY_STRESS_RANDOM_H
 #define RECTRAY_STRESS_RANDOM_H
 
-#include "vec3.h"
+#include "base/vec3.h"
 
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /* Scenes made in memory. */
 #include "scenes.h"
 
-#include "geometry.h"
+#include "scene/geometry.h"
 
 #include <stdio.h>
 #include <stdlib.h>

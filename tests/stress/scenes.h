@@ -4,7 +4,7 @@
 #define RECTRAY_STRESS_SCENES_H
 
 #include "random.h"
-#include "scene.h"
+#include "scene/scene.h"
 
 /* A scene without faces, with one dull material. scene_free frees it. */
 Scene scene_empty(void);

@@ -1,5 +1,5 @@
 /* The next ray's start and the shadow ray's ends. Tests 9 and 10. */
-#include "oracle.h"
+#include "support/oracle.h"
 #include "scenes.h"
 #include "tests.h"
 

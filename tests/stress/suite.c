@@ -1,7 +1,7 @@
 /* The table of failures, and rays by the batch. */
 #include "suite.h"
 
-#include "oracle.h"
+#include "support/oracle.h"
 #include "scenes.h"
 
 #include <stdarg.h>

@@ -5,11 +5,11 @@
 #ifndef RECTRAY_STRESS_SUITE_H
 #define RECTRAY_STRESS_SUITE_H
 
-#include "accel.h"
+#include "trace/accel.h"
 #include "probe.h"
 #include "random.h"
-#include "render.h"
-#include "scene.h"
+#include "trace/render.h"
+#include "scene/scene.h"
 
 typedef enum Method { TEXTBOOK, KERNEL_FLOAT, KERNEL_DOUBLE, REFERENCE, METHOD_COUNT } Method;
 

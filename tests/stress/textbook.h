@@ -4,8 +4,8 @@
 #ifndef RECTRAY_STRESS_TEXTBOOK_H
 #define RECTRAY_STRESS_TEXTBOOK_H
 
-#include "render.h"
-#include "scene.h"
+#include "trace/render.h"
+#include "scene/scene.h"
 
 #include <stdbool.h>
 

@@ -1,5 +1,5 @@
 /* Closed surfaces, seen through their seams: sheets of quads, Embree's sphere and plane, boxes. Tests 1 to 5. */
-#include "oracle.h"
+#include "support/oracle.h"
 #include "scenes.h"
 #include "tests.h"
 

@@ -1,0 +1,65 @@
+/* Which faces a beam meets, in the leaves of a k-d tree. */
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/counters.cl"
+#include "packet/accel.cl"
+#include "packet/tree.cl"
+#include "packet/shade.cl"
+#include "adaptive/group_beam.cl"
+#include "adaptive/beam_query.cl"
+#include "adaptive/beam_cuts.cl"
+
+typedef struct KdBox {
+    int node;
+    real planes[6]; /* low x, high x, low y, ... */
+} KdBox;
+
+static bool box_is_left(const Cuts *cuts, const KdBox *box)
+{
+    real magnitude = 0;
+    for (int axis = 0; axis < 3; axis++)
+        magnitude += GREATER(fabs(box->planes[2 * axis]), fabs(box->planes[2 * axis + 1]));
+    for (int i = 0; i < cuts->count; i++) {
+        real height = -cuts->limit[i] - cuts->slack[i] * magnitude;
+        for (int axis = 0; axis < 3; axis++)
+            height += cuts->w[i][axis] * box->planes[cuts->lowest[i][axis]];
+        if (height > 0)
+            return false;
+    }
+    return true;
+}
+
+NOINLINE void walk_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
+{
+    const Tree *tree = s->tree;
+    WholeBeam whole = whole_beam(s, q->beam);
+    Cuts cuts;
+    make_cuts(g, q, &whole, &cuts);
+    KdBox stack[STACK_SIZE];
+    int count = 1;
+    stack[0].node = 0;
+    for (int k = 0; k < 6; k++)
+        stack[0].planes[k] = tree->floats[k];
+    while (count > 0) {
+        KdBox box = stack[--count];
+        counters->kinds[COUNT_BOX_TESTS]++;
+        if (!box_is_left(&cuts, &box))
+            continue;
+        global const int *ints = tree->ints + 1 + (size_t)box.node * KD_INTS;
+        int axis = ints[KD_AXIS];
+        if (axis != KD_LEAF) {
+            KdBox below = box, above = box;
+            below.node = box.node + 1;
+            above.node = ints[KD_FIRST];
+            below.planes[2 * axis + 1] = above.planes[2 * axis] = tree->floats[6 + box.node];
+            stack[count++] = above;
+            stack[count++] = below;
+            continue;
+        }
+        for (int i = ints[KD_FIRST]; i < ints[KD_FIRST] + ints[KD_COUNT] && q->asking; i++)
+            ask_beam(g, q, &whole, face_in_leaf(tree, i), counters);
+        if (!q->asking)
+            return;
+    }
+}

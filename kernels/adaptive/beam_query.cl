@@ -1,0 +1,79 @@
+/* Which faces a beam meets on its way: all are asked, or those of a tree. What src/beam_query.c says, for all beams of a group at
+ * once. */
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/counters.cl"
+#include "adaptive/beam.cl"
+#include "adaptive/group_beam.cl"
+
+/* --- One face --- */
+
+typedef struct BeamQuery {
+    const Beam *beam;
+    int from, to;
+    BeamPlane near, far;
+    bool shadow;
+    Mask active[PACKETS];                   /* the lanes not answered yet, */
+    uint asking;                            /* and how many they are */
+    Mask crossed[PACKETS], filled[PACKETS]; /* the answers */
+} BeamQuery;
+
+INLINE void count_asking(BeamQuery *q)
+{
+    q->asking = 0;
+    EACH_PACKET(k)
+        q->asking += mask_count(q->active[k]);
+}
+
+static bool is_on_side(const Geometry *g, int face, int of, int side)
+{
+    bool off = false;
+    Point n = face_normal(g, of), corner = face_point(g, of, 0);
+    int count = face_vertex_count(g, face);
+    for (int k = 0; k < count; k++) {
+        Point x = point_sub(face_point(g, face, k), corner);
+        wide height = side * point_dot(n, x), doubt = WIDE_SLACK * point_magnitudes(x);
+        if (height < -doubt)
+            return false;
+        off |= height > doubt;
+    }
+    return off;
+}
+
+static void ask_beam(const Geometry *g, BeamQuery *q, const WholeBeam *whole, int i, Counters *counters)
+{
+    const Beam *beam = q->beam;
+    if (i == q->from || i == q->to || is_clear_of(g, whole, i))
+        return;
+    counters->kinds[COUNT_FACE_TESTS] += q->asking;
+    BeamPlane seen = beam_plane(g, beam, i);
+    int back = q->shadow ? 1 : -1;
+    if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && face_bits(face_row(g, i)) & FACE_BACK_OPEN) ||
+        (q->to >= 0 && is_on_side(g, i, q->to, -q->far.side)) || (q->from >= 0 && is_on_side(g, i, q->from, q->near.side)))
+        return;
+    BeamFace face;
+    beam_edges(g, beam, i, seen.side, &face);
+    Linear behind, before, within;
+    bool has_behind = farther_plane(beam, &q->far, &seen, &behind);
+    bool has_before = q->from >= 0 && farther_plane(beam, &seen, &q->near, &before);
+    bool has_within = q->shadow && farther_plane(beam, &seen, &q->far, &within);
+    EACH_PACKET(k) {
+        const BeamLanes *lanes = beam->lanes + k;
+        if (!ANY(q->active[k]))
+            continue;
+        BeamCover cover = beam_cover(g, beam, k, &face, q->active[k]);
+        Mask met = q->active[k] & ~cover.clear;
+        if (!ANY(met))
+            continue;
+        if (has_behind)
+            met &= ~is_negative(lanes, &behind);
+        if (has_before)
+            met &= ~is_negative(lanes, &before);
+        q->crossed[k] |= met;
+        if (has_within)
+            q->filled[k] |= met & cover.filled & is_negative(lanes, &within);
+        q->active[k] &= ~(q->shadow ? q->filled[k] : q->crossed[k]);
+    }
+    count_asking(q);
+}

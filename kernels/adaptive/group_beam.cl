@@ -1,0 +1,88 @@
+/* One beam that holds those of a whole group of pixels. What it is clear of, the reference finds each pixel clear of: the slacks
+ * are more than all doubts there and all rounding here, though less than beam.cl's for a lane in float. Nearly all faces and
+ * boxes are left out here, in real, all edges or corners at once. */
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/apex.cl"
+#include "packet/search.cl"
+#include "packet/shade.cl"
+#include "adaptive/beam.cl"
+
+/* In the beam's terms a point p from the apex is l (c + a u + b v); but for a positive factor, l a, l b and l are linear in p. */
+typedef struct WholeBeam {
+    real apex[3], size;
+    real la[3], lb[3], l[3], side_slack;
+    real c[3], u[3], v[3], moment_slack, apex_slack, height_slack;
+} WholeBeam;
+
+INLINE void real_row(Point p, real *row)
+{
+    row[0] = (real)p.x;
+    row[1] = (real)p.y;
+    row[2] = (real)p.z;
+}
+
+static WholeBeam whole_beam(const Shading *s, const Beam *b)
+{
+    Point u = point_scale(b->extent[0], b->u), v = point_scale(b->extent[1], b->v);
+    Point c = point_add(b->c0, point_add(point_scale(b->middle[0], b->u), point_scale(b->middle[1], b->v)));
+    Point uv = point_cross(u, v), vc = point_cross(v, c), cu = point_cross(c, u);
+    int sign = point_dot(uv, b->c0) < 0 ? -1 : 1;
+    wide us = point_magnitudes(u), vs = point_magnitudes(v), cs = point_magnitudes(c), crossed = us * vs + vs * cs + cs * us;
+    wide farthest = 2 * b->size + s->view[VIEW_FARTHEST];
+    WholeBeam whole;
+    whole.size = (real)b->size;
+    real_row(b->apex, whole.apex);
+    real_row(point_scale(sign, vc), whole.la);
+    real_row(point_scale(sign, cu), whole.lb);
+    real_row(point_scale(sign, uv), whole.l);
+    real_row(c, whole.c);
+    real_row(u, whole.u);
+    real_row(v, whole.v);
+    whole.side_slack = (real)(12 * REAL_ROUNDING * crossed + 4 * WIDE_SLACK * b->extent[0] * b->extent[1] * b->width * b->length);
+    whole.moment_slack = (real)(16 * REAL_ROUNDING * (cs + us + vs));
+    whole.apex_slack = 2 * whole.size * whole.moment_slack + (real)(2 * WIDE_SLACK * farthest * b->length);
+    whole.height_slack = (real)((8 * REAL_ROUNDING + WIDE_SLACK) * farthest);
+    return whole;
+}
+
+INLINE real4 along_row(const real *row, real4 x, real4 y, real4 z)
+{
+    return fma((real4)row[0], x, fma((real4)row[1], y, row[2] * z));
+}
+
+/* A face's vertices as seen from the apex. */
+typedef struct Corners {
+    real4 x, y, z;
+} Corners;
+
+/* Is the whole beam on the outer side of an edge? */
+INLINE bool is_outside(const WholeBeam *b, global const real *row, Corners v)
+{
+    global const real *n = row + FACE_NORMAL;
+    real height = -(n[0] * v.x.x + n[1] * v.y.x + n[2] * v.z.x);
+    if (!(fabs(height) > b->height_slack))
+        return false;
+    EdgeMoments m = edge_moments(row, v.x, v.y, v.z);
+    real4 middle = along_row(b->c, m.x, m.y, m.z);
+    real4 spread = fabs(along_row(b->u, m.x, m.y, m.z)) + fabs(along_row(b->v, m.x, m.y, m.z));
+    real edge = edge_bound(face_bits(row)), size = fabs(v.x.x) + fabs(v.y.x) + fabs(v.z.x) + 2 * edge;
+    return any((height > 0 ? middle : -middle) > spread + (b->moment_slack * size + b->apex_slack) * edge);
+}
+
+/* Is the whole face beyond one of the beam's sides? */
+INLINE bool is_beside(const WholeBeam *b, Corners v)
+{
+    real4 x = v.x, y = v.y, z = v.z;
+    real4 la = along_row(b->la, x, y, z), lb = along_row(b->lb, x, y, z);
+    real4 limit = along_row(b->l, x, y, z) + b->side_slack * (fabs(x) + fabs(y) + fabs(z) + b->size);
+    return all(la > limit) || all(-la > limit) || all(lb > limit) || all(-lb > limit);
+}
+
+INLINE bool is_clear_of(const Geometry *g, const WholeBeam *b, int face)
+{
+    global const real *row = face_row(g, face);
+    Corners v = {of_vertices(row, 0) - b->apex[0], of_vertices(row, 1) - b->apex[1], of_vertices(row, 2) - b->apex[2]};
+    return is_outside(b, row, v) || is_beside(b, v);
+}

@@ -1,0 +1,168 @@
+/* Adaptive sampling renders in two steps: the centres of all pixels, judged by adaptive.cl; then a lattice of samples for those
+ * pixels that a centre does not tell. Built only where adaptive sampling is asked for. */
+#define ADAPTIVE 1 /* paths keep their trails */
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/apex.cl"
+#include "packet/counters.cl"
+#include "packet/accel.cl"
+#include "packet/tree.cl"
+#include "packet/shade.cl"
+#include "packet/camera.cl"
+#include "packet/picture.cl"
+#include "packet/paths.cl"
+#include "adaptive/adaptive.cl"
+#include "packet/scene.cl"
+
+/* The directions R = Q - C to sub-pixels (i, j) of the pixels at (column, row), lane by lane: see view_direction in
+ * geometry.c. */
+static WideVec direction_to(const Shading *s, Wide column, Wide row, Wide i, Wide j)
+{
+    constant const Parameters *p = s->parameters;
+    Wide sub_column = (i + (wide)0.5) / (wide)p->grid, sub_row = (j + (wide)0.5) / (wide)p->grid;
+    Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
+    Wide y = ((wide)0.5 - (row + sub_row) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
+    return wide_add(wide_add(view_vec(s, VIEW_FORWARD), wide_scale(x, view_vec(s, VIEW_RIGHT))),
+                    wide_scale(y, view_vec(s, VIEW_UP)));
+}
+
+/* The bundle of the active rays, which start at the apex. */
+static Bundle bundle_of_rays(const Apex *a, const Path *paths, const Ray *rays)
+{
+    Pencil pencils[PACKETS];
+    EACH_PACKET(k) {
+        pencils[k].active = paths[k].active;
+        pencils[k].ahead = vec_to_real(rays[k].direction);
+    }
+    return bundle_from(a, pencils, PACKETS, 0);
+}
+
+/* As render_tile does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
+INLINE void render_centres(const Geometry *g, const Shading *s, int first_column, int first_row, global uchar *rgb,
+                           global uchar *flags, Counters *counters)
+{
+    constant const Parameters *p = s->parameters;
+    Apex apex = apex_at_eye(s);
+    Path paths[PACKETS];
+    Ray rays[PACKETS];
+    Trail trails[PACKETS];
+    Tile pixels;
+    Mask even[PACKETS];
+    EACH_PACKET(k) {
+        Mask number = lane_numbers();
+        pixels.columns[k] = MASK_TO_WIDE(first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
+        pixels.rows[k] = MASK_TO_WIDE(p->first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
+        rays[k].origin = view_vec(s, VIEW_EYE);
+        rays[k].direction = pixels.directions[k] = direction_to(s, pixels.columns[k], pixels.rows[k], (Wide)0, (Wide)0);
+        paths[k].active = even[k] = pixels_inside(p, first_column, first_row, k);
+        trails[k].count = 0;
+        counters->kinds[COUNT_PRIMARY] += mask_count(even[k]);
+    }
+    Bundle seen = bundle_of_rays(&apex, paths, rays);
+    begin_paths(paths, rays);
+    Camera camera = camera_of(s);
+    trace_paths(g, s, camera.eye, &apex, &seen, 0, paths, rays, 0, trails, counters);
+    judge_pixels(g, s, trails, &pixels, even, counters);
+    EACH_PACKET(k) {
+        int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
+        store_packet(rgb, p, column, row, paths[k].total);
+        MaskElement even_lanes[LANES];
+        STORE(even[k], even_lanes);
+        for (int i = 0; i < LANES; i++) {
+            int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
+            if (c < p->columns && r < p->band_rows)
+                flags[(size_t)r * (size_t)p->columns + (size_t)c] = even_lanes[i] ? 0 : 1;
+        }
+    }
+}
+
+/* --- Refining --- */
+
+/* A pixel on the list, and the sum of its samples. */
+typedef struct Refined {
+    int place, column, row; /* in the band; in the picture */
+    real sum[3];
+} Refined;
+
+/* Adds the first `count` lanes, in their order. */
+static void add_samples(Refined *pixel, Vec colour, int count)
+{
+    real lanes[3][LANES];
+    STORE(colour.x, lanes[0]);
+    STORE(colour.y, lanes[1]);
+    STORE(colour.z, lanes[2]);
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < count; i++)
+            pixel->sum[c] += lanes[c][i];
+}
+
+/* Traces samples first, first + 1, ... of each pixel, a packet for each: see adaptive_generator. */
+static void trace_samples(const Geometry *g, const Shading *s, const Apex *apex, Refined *pixels, int pixel_count, int first,
+                          Counters *counters)
+{
+    constant const Parameters *p = s->parameters;
+    int count = min(p->grid - first, LANES);
+    Mask lane = lane_numbers(), i = lane + first, j = i * p->generator % p->grid;
+    Path paths[PACKETS];
+    Ray rays[PACKETS];
+    EACH_PACKET(k) {
+        const Refined *pixel = pixels + min(k, pixel_count - 1);
+        rays[k].origin = view_vec(s, VIEW_EYE);
+        rays[k].direction = direction_to(s, (Wide)(wide)pixel->column, (Wide)(wide)pixel->row, MASK_TO_WIDE(i), MASK_TO_WIDE(j));
+        paths[k].active = k < pixel_count ? IS(lane < (Mask)count) : (Mask)0;
+    }
+    counters->kinds[COUNT_PRIMARY] += (uint)(pixel_count * count);
+    Bundle seen = bundle_of_rays(apex, paths, rays);
+    begin_paths(paths, rays);
+    Camera camera = camera_of(s);
+    trace_paths(g, s, camera.eye, apex, &seen, 0, paths, rays, 0, 0, counters);
+    for (int k = 0; k < pixel_count; k++)
+        add_samples(pixels + k, paths[k].total, count);
+}
+
+/* Refines neighbours in the list of pixels. list: places in the band. */
+static void refine(const Geometry *g, const Shading *s, global uchar *rgb, global const int *list, Counters *counters)
+{
+    constant const Parameters *p = s->parameters;
+    int first = (int)get_global_id(0) * PACKETS, pixel_count = min(p->refine_count - first, PACKETS);
+    if (pixel_count <= 0)
+        return;
+    Apex apex = apex_at_eye(s);
+    Refined pixels[PACKETS];
+    for (int k = 0; k < pixel_count; k++) {
+        int place = list[p->refine_first + first + k];
+        Refined pixel = {place, place % p->columns, place / p->columns + p->first_row, {0, 0, 0}};
+        pixels[k] = pixel;
+    }
+    for (int sample = 0; sample < p->grid; sample += LANES)
+        trace_samples(g, s, &apex, pixels, pixel_count, sample, counters);
+    real samples = p->grid;
+    for (int k = 0; k < pixel_count; k++) {
+        const real *sum = pixels[k].sum;
+        store_pixel(rgb, pixels[k].place, sum[0] / samples, sum[1] / samples, sum[2] / samples);
+    }
+}
+
+/* A work-item for a block of the band's tiles; where refine_count says that there are pixels to refine, one for
+ * PACKETS of them. Both in one kernel, for tracing a path is the most of it, and takes the longest to compile. */
+kernel void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+                            global const wide *planes, global const real *materials, global const real *lights,
+                            global const real *view, global uchar *rgb, volatile global uint *totals,
+                            global const float *tree_floats, global const int *tree_ints, global uchar *flags,
+                            global const int *list)
+{
+    Geometry g = {faces, edges, planes, parameters->face_count};
+    Tree tree = {tree_floats, tree_ints};
+    Shading s = {materials, lights, view, parameters, &tree};
+    Counters counters = {{0}};
+    if (parameters->refine_count > 0) {
+        refine(&g, &s, rgb, list, &counters);
+    } else {
+        Area area = area_of_block(parameters, (int)get_global_id(0), 0);
+        for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
+            for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
+                render_centres(&g, &s, column, row, rgb, flags, &counters);
+    }
+    add_counters(totals, &counters);
+}

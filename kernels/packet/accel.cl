@@ -1,0 +1,15 @@
+/* How faces are found: the tree of a scene, as the host has built it. */
+#include "packet/lanes.cl"
+
+/* How faces are found, a build option: all are asked, or those in the leaves of a tree. */
+#define ACCEL_NONE 0
+#define ACCEL_BVH 1
+#define ACCEL_KDTREE 2
+
+/* A tree's buffers; bvh.cl and kdtree.cl say what is in them. */
+typedef struct Tree {
+    global const float *floats;
+    global const int *ints;
+} Tree;
+
+#define REACH_ALL ((real)1e30f)

@@ -1,0 +1,133 @@
+/* A walk through a bounding volume hierarchy whose nodes have NODE_WIDTH children, tested LANES at a time.
+ * Tree.floats holds, per node, 6 planes (low x, high x, low y, ...) of all children, Tree.ints the children: see NO_CHILD and
+ * LEAF in layout.h. The device has the faces in the order of the leaves. */
+#include "shared/skips.h"
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/counters.cl"
+#include "packet/accel.cl"
+#include "packet/bundle.cl"
+
+/* Nodes to visit, the nearest on top. */
+typedef struct Stack {
+    int node[STACK_SIZE];
+    real enter[STACK_SIZE];
+    int count;
+} Stack;
+
+INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
+{
+    int i = stack->count++;
+    for (; i > floor && stack->enter[i - 1] < enter; i--) {
+        stack->node[i] = stack->node[i - 1];
+        stack->enter[i] = stack->enter[i - 1];
+    }
+    stack->node[i] = node;
+    stack->enter[i] = enter;
+}
+
+/* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. left_out: those of them
+ * that it need not. */
+INLINE uint children_met(const Tree *tree, const Bundle *b, int node, int part, Lanes *enter, uint *left_out)
+{
+    IntLanes children = LOAD(tree->ints + (size_t)node * NODE_WIDTH + part), key = LEAF_KEY(children);
+    Mask back = INTS_TO_MASK(IS(key == (IntLanes)b->left_out[0]) | IS(key == (IntLanes)b->left_out[1]) |
+                             IS(key == (IntLanes)b->left_out[2]));
+    Mask none = INTS_TO_MASK(IS(children == (IntLanes)NO_CHILD));
+    global const float *boxes = tree->floats + (size_t)node * (6 * NODE_WIDTH) + part;
+    Lanes leave = (Lanes)b->reach;
+    *enter = (Lanes)0;
+    for (int axis = 0; axis < 3; axis++)
+        cross_slab(b->slabs[axis], LOAD_FLOATS(boxes + 2 * axis * NODE_WIDTH), LOAD_FLOATS(boxes + (2 * axis + 1) * NODE_WIDTH),
+                   enter, &leave);
+    Mask met = IS(*enter <= GROWN(leave)) & ~none;
+    *left_out = mask_bits(met & back);
+    return mask_bits(met & ~back);
+}
+
+/* Does the bundle miss all that is in the tree? */
+INLINE bool misses_all(const Tree *tree, const Bundle *b)
+{
+    for (int part = 0; part < NODE_WIDTH; part += LANES) {
+        Lanes enter;
+        uint left_out;
+        if (children_met(tree, b, 0, part, &enter, &left_out) != 0)
+            return false;
+    }
+    return true;
+}
+
+INLINE void fetch_node(const Tree *tree, int node)
+{
+    fetch(tree->floats + (size_t)node * (6 * NODE_WIDTH), 6 * NODE_WIDTH * sizeof(float));
+    fetch(tree->ints + (size_t)node * NODE_WIDTH, NODE_WIDTH * sizeof(int));
+}
+
+/* Puts the children that the bundle may meet on the stack. Returns how many faces it left out. */
+INLINE uint push_children(const Geometry *g, const Tree *tree, const Bundle *b, int node, Stack *stack)
+{
+    global const int *children = tree->ints + (size_t)node * NODE_WIDTH;
+    int floor = stack->count;
+    uint faces_left_out = 0;
+    for (int part = 0; part < NODE_WIDTH; part += LANES) {
+        Lanes enter;
+        uint left_out, met = children_met(tree, b, node, part, &enter, &left_out);
+        faces_left_out += popcount(left_out);
+        if (!met)
+            continue;
+        real enters[LANES];
+        STORE(enter, enters);
+        for (; met; met &= met - 1) {
+            int i = lowest_bit(met);
+            int child = children[part + i];
+            if (child < 0)
+                fetch(g->edges + (size_t)LEAF_FIRST(child) * FACE_REALS, (uint)LEAF_COUNT(child) * FACE_REALS * sizeof(real));
+            else
+                fetch_node(tree, child);
+            stack_insert(stack, floor, child, enters[i]);
+        }
+    }
+    return faces_left_out;
+}
+
+INLINE Stack stack_of(const Tree *tree, const Bundle *b)
+{
+    Stack stack;
+    stack.node[0] = 0;
+    stack.enter[0] = 0;
+    stack.count = 1;
+    return stack;
+}
+
+/* Puts back the leaf that was taken last. */
+INLINE void put_back(Stack *stack) { stack->count++; }
+
+/* For rays whose t has another unit. */
+INLINE void forget_distances(Stack *stack)
+{
+    for (int i = 0; i < stack->count; i++)
+        stack->enter[i] = 0;
+}
+
+INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
+
+/* The next leaf that the bundle, of so many rays, meets, nearest first: its faces are first .. first + count - 1. False: there is
+ * none. */
+INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, uint rays, Stack *stack, int *first, int *count,
+                      Counters *counters)
+{
+    while (stack->count > 0) {
+        int node = stack->node[--stack->count];
+        if (stack->enter[stack->count] > b->reach)
+            continue;
+        if (node < 0) {
+            *first = LEAF_FIRST(node);
+            *count = LEAF_COUNT(node);
+            return true;
+        }
+        counters->kinds[COUNT_BOX_TESTS] += NODE_WIDTH;
+        counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += rays * push_children(g, tree, b, node, stack);
+    }
+    return false;
+}

@@ -1,0 +1,175 @@
+/* Pixels, packets of them, tiles of packets, and the rays through them. */
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/apex.cl"
+#include "packet/shade.cl"
+
+/* A packet is PACKET_COLUMNS x PACKET_ROWS = LANES pixels; a tile, whose rays are searched together, is PACKETS of them,
+ * PACKETS_ACROSS side by side, as the host's build options say. */
+enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PACKETS_ACROSS * PACKET_ROWS };
+
+/* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. Area 0 of a block is all of it, 1 to 4 are its quarters. */
+enum { BLOCK_AREAS = BLOCK_ACROSS > 1 ? 5 : 1 };
+enum { BLOCK_COLUMNS = BLOCK_ACROSS * TILE_COLUMNS, BLOCK_ROWS = BLOCK_ACROSS * TILE_ROWS };
+
+#define BLOCKS_ACROSS(p) (((p)->columns + BLOCK_COLUMNS - 1) / BLOCK_COLUMNS)
+
+/* Pixels from (column, row) of the band, as many columns and rows as there are in it; none: 0 or less. */
+typedef struct Area {
+    int column, row, columns, rows;
+} Area;
+
+INLINE Area area_of_block(constant const Parameters *p, int block, int k)
+{
+    int share = k == 0 ? 1 : 2, columns = BLOCK_COLUMNS / share, rows = BLOCK_ROWS / share;
+    Area area;
+    area.column = block % BLOCKS_ACROSS(p) * BLOCK_COLUMNS + (k > 0 ? (k - 1) % 2 * columns : 0);
+    area.row = block / BLOCKS_ACROSS(p) * BLOCK_ROWS + (k > 0 ? (k - 1) / 2 * rows : 0);
+    area.columns = min(columns, p->columns - area.column);
+    area.rows = min(rows, p->band_rows - area.row);
+    return area;
+}
+
+static wide view_value(const Shading *s, int column) { return (wide)s->view[column] + (wide)s->view[VIEW_REALS + column]; }
+
+static WideVec view_vec(const Shading *s, int column)
+{
+    return wide_vec((Wide)view_value(s, column), (Wide)view_value(s, column + 1), (Wide)view_value(s, column + 2));
+}
+
+/* Where packet k begins in its tile. */
+#define PACKET_COLUMN(k) ((k) % PACKETS_ACROSS * PACKET_COLUMNS)
+#define PACKET_ROW(k) ((k) / PACKETS_ACROSS * PACKET_ROWS)
+
+INLINE Apex apex_at_eye(const Shading *s)
+{
+    wide eye[3] = {view_value(s, VIEW_EYE), view_value(s, VIEW_EYE + 1), view_value(s, VIEW_EYE + 2)};
+    return apex_at(eye, 0, s->view[VIEW_LENGTH]);
+}
+
+typedef struct CornerRays {
+    real x[4], y[4], z[4];
+} CornerRays;
+
+/* The places of the tile's columns and rows on the screen: see view_direction in geometry.c. */
+typedef struct ScreenPlaces {
+    wide x[TILE_COLUMNS], y[TILE_ROWS];
+} ScreenPlaces;
+
+/* The place of sub-column i of a column of pixels, and of sub-row j of a row. */
+INLINE wide screen_x(const Shading *s, int column, int i)
+{
+    constant const Parameters *p = s->parameters;
+    return ((column + (i + (wide)0.5) / p->grid) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
+}
+
+INLINE wide screen_y(const Shading *s, int row, int j)
+{
+    constant const Parameters *p = s->parameters;
+    return ((wide)0.5 - (row + (j + (wide)0.5) / p->grid) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
+}
+
+/* For the sub-pixels (i, j) of each pixel's grid. */
+INLINE ScreenPlaces screen_places(const Shading *s, int first_column, int first_row, int i, int j)
+{
+    ScreenPlaces places;
+    for (int column = 0; column < TILE_COLUMNS; column++)
+        places.x[column] = screen_x(s, first_column + column, i);
+    for (int row = 0; row < TILE_ROWS; row++)
+        places.y[row] = screen_y(s, first_row + row, j);
+    return places;
+}
+
+/* The camera, or its image in mirrors: pixels at (x, y) of the screen are seen along forward + x right + y up. */
+typedef struct Camera {
+    wide eye[3], forward[3], right[3], up[3];
+} Camera;
+
+INLINE Camera camera_of(const Shading *s)
+{
+    Camera c;
+    for (int axis = 0; axis < 3; axis++) {
+        c.eye[axis] = view_value(s, VIEW_EYE + axis);
+        c.forward[axis] = view_value(s, VIEW_FORWARD + axis);
+        c.right[axis] = view_value(s, VIEW_RIGHT + axis);
+        c.up[axis] = view_value(s, VIEW_UP + axis);
+    }
+    return c;
+}
+
+INLINE void mirror(global const wide *normal, wide height, wide *v)
+{
+    for (int axis = 0; axis < 3; axis++)
+        v[axis] -= 2 * height * normal[axis];
+}
+
+INLINE wide height_of(global const wide *normal, const wide *v) { return normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2]; }
+
+/* The image of a camera in the plane of a face. */
+INLINE Camera camera_in_mirror(const Geometry *g, int face, const Camera *camera)
+{
+    Camera c = *camera;
+    global const wide *n = g->planes + (size_t)face * PLANE_REALS;
+    global const real *v = face_row(g, face) + FACE_VERTICES;
+    wide off[3] = {c.eye[0] - v[0], c.eye[1] - v[4], c.eye[2] - v[8]};
+    mirror(n, height_of(n, off), c.eye);
+    mirror(n, height_of(n, c.forward), c.forward);
+    mirror(n, height_of(n, c.right), c.right);
+    mirror(n, height_of(n, c.up), c.up);
+    return c;
+}
+
+/* A part of the screen, between two places of columns and two of rows. */
+typedef struct Window {
+    wide x[2], y[2];
+} Window;
+
+/* Of the tile's pixels that are in the band: a face that these see need not go on beyond them, nor lie ahead there. */
+INLINE Window window_of_tile(constant const Parameters *p, const ScreenPlaces *places, int first_column, int first_row)
+{
+    int column = min((int)TILE_COLUMNS, p->columns - first_column) - 1, row = min((int)TILE_ROWS, p->band_rows - first_row) - 1;
+    Window w = {{places->x[0], places->x[column]}, {places->y[0], places->y[row]}};
+    return w;
+}
+
+/* Of all sub-pixels of an area. */
+INLINE Window window_of_area(const Shading *s, const Area *area)
+{
+    constant const Parameters *p = s->parameters;
+    int column = area->column, row = p->first_row + area->row, last = p->grid - 1;
+    Window w = {{screen_x(s, column, 0), screen_x(s, column + area->columns - 1, last)},
+                {screen_y(s, row, 0), screen_y(s, row + area->rows - 1, last)}};
+    return w;
+}
+
+/* The rays of a window's corners. Each component of a direction rises or falls with either place, and so does its rounding: it
+ * has its extremes there. */
+INLINE CornerRays camera_corners(const Camera *c, const Window *window)
+{
+    const wide *x = window->x, *y = window->y, *forward = c->forward, *right = c->right, *up = c->up;
+    wide4 across = (wide4)(x[0], x[1], x[0], x[1]), down = (wide4)(y[0], y[0], y[1], y[1]);
+    CornerRays corners;
+    vstore4(TO_REAL4(forward[0] + across * right[0] + down * up[0]), 0, corners.x);
+    vstore4(TO_REAL4(forward[1] + across * right[1] + down * up[1]), 0, corners.y);
+    vstore4(TO_REAL4(forward[2] + across * right[2] + down * up[2]), 0, corners.z);
+    return corners;
+}
+
+/* The directions R = Q - C of packet k's rays. */
+INLINE WideVec camera_direction(const Camera *c, const ScreenPlaces *places, int k)
+{
+    const wide *x = places->x + PACKET_COLUMN(k), *y = places->y + PACKET_ROW(k);
+#if LANES == 16
+    Wide across = (Wide)(vload4(0, x), vload4(0, x), vload4(0, x), vload4(0, x));
+    Wide down = (Wide)((wide4)y[0], (wide4)y[1], (wide4)y[2], (wide4)y[3]);
+#elif LANES == 8
+    Wide across = (Wide)(vload4(0, x), vload4(0, x)), down = (Wide)((wide4)y[0], (wide4)y[1]);
+#elif LANES == 4
+    Wide across = (Wide)(x[0], x[1], x[0], x[1]), down = (Wide)(y[0], y[0], y[1], y[1]);
+#else
+    Wide across = x[0], down = y[0];
+#endif
+    return wide_vec(c->forward[0] + across * c->right[0] + down * c->up[0], c->forward[1] + across * c->right[1] + down * c->up[1],
+                    c->forward[2] + across * c->right[2] + down * c->up[2]);
+}

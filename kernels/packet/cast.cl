@@ -1,0 +1,41 @@
+/* The kernel `cast`, which intersects a list of rays. Built only where that is asked for. */
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/intersect.cl"
+#include "packet/counters.cl"
+#include "packet/accel.cl"
+#include "packet/search.cl"
+#include "packet/scene.cl"
+
+/* rays: ray_count x (origin, direction); hits_face, hits_t: one per ray, -1 and 0 for a miss. LANES rays per work-item. */
+kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+                 global const wide *planes, global const wide *rays, global int *hits_face, global wide *hits_t,
+                 volatile global uint *totals,
+                 global const float *tree_floats, global const int *tree_ints)
+{
+    Geometry g = {faces, edges, planes, parameters->face_count};
+    Tree tree = {tree_floats, tree_ints};
+    Counters counters = {{0}};
+    int first = (int)get_global_id(0) * LANES, count = min(LANES, parameters->ray_count - first);
+    if (count <= 0)
+        return;
+    wide v[6][LANES];
+    for (int i = 0; i < LANES; i++)
+        for (int k = 0; k < 6; k++)
+            v[k][i] = rays[6 * (size_t)(first + min(i, count - 1)) + k];
+    Ray ray = {wide_vec(LOAD(v[0]), LOAD(v[1]), LOAD(v[2])), wide_vec(LOAD(v[3]), LOAD(v[4]), LOAD(v[5]))};
+    Mask active = IS(lane_numbers() < (Mask)count);
+    Hit nearest = ANY(active & ~same_origin(&ray)) ? find_nearest_apart(&g, &tree, &ray, active, &counters)
+                                                   : find_nearest_of_pencil(&g, &tree, &ray, active, &counters);
+    MaskElement face[LANES];
+    wide t[LANES];
+    STORE(nearest.face, face);
+    STORE(nearest.t, t);
+    for (int i = 0; i < count; i++) {
+        hits_face[first + i] = face[i] < 0 ? -1 : faces[face[i]].index;
+        hits_t[first + i] = face[i] < 0 ? 0 : t[i];
+    }
+    counters.kinds[COUNT_PRIMARY] += count;
+    add_counters(totals, &counters);
+}

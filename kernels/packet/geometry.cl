@@ -1,0 +1,324 @@
+/* Faces against lanes of rays. A fast test in `real` with a proved error bound settles nearly every lane;
+ * the few that lie within the bound of an edge are settled by exact.cl. docs/algorithm.md derives the bounds. */
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "shared/exact.cl"
+
+typedef struct Geometry {
+    global const FaceRecord *faces;
+    global const real *edges;  /* face_count rows of FACE_REALS */
+    global const wide *planes; /* face_count rows of PLANE_REALS */
+    int face_count;
+} Geometry;
+
+typedef struct Ray {
+    WideVec origin, direction;
+} Ray;
+
+INLINE global const real *face_row(const Geometry *g, int face) { return g->edges + (size_t)face * FACE_REALS; }
+INLINE Vec face_vertex(global const real *row, int k) { return vec((Lanes)row[k], (Lanes)row[4 + k], (Lanes)row[8 + k]); }
+INLINE real4 of_vertices(global const real *row, int axis) { return *(global const real4 *)(row + FACE_VERTICES + 4 * axis); }
+INLINE uint face_bits(global const real *row) { return *(global const uint *)(row + FACE_BITS); }
+INLINE int face_material(const Geometry *g, int face) { return g->faces[face].material & ~FACE_FLAT; }
+INLINE bool face_is_flat(const Geometry *g, int face) { return g->faces[face].material & FACE_FLAT; }
+INLINE real edge_bound(uint bits) { return (real)fabs(as_float(bits)); }
+INLINE real face_warp(uint bits) { return (real)fabs(as_float(bits << 16)); }
+
+/* A ray in `real`. */
+typedef struct Line {
+    Vec origin, direction;
+    Vec scaled;  /* the direction divided by the largest magnitude of its components, which is */
+    Lanes scale;
+} Line;
+
+INLINE Line line(Vec origin, Vec direction)
+{
+    Line l;
+    l.origin = origin;
+    l.direction = direction;
+    l.scale = vec_largest(direction);
+    l.scaled = vec_scale(1 / l.scale, direction);
+    return l;
+}
+
+/* Lanes against one face: which may pass inside, which certainly do, and on which side of the normal. */
+typedef struct EdgeTest {
+    Mask may, sure, with_normal;
+} EdgeTest;
+
+/* R.((v[k] - O) x (v[k+1] - v[k])) = det(R, v[k] - O, v[k+1] - O). a: v[k] - O; v: row + k, w: row + k + 1. */
+INLINE Lanes edge_function(Vec r, Vec a, global const real *v, global const real *w)
+{
+    real x = w[0] - v[0], y = w[4] - v[4], z = w[8] - v[8];
+    return FMA(r.x, FMA(a.y, z, -a.z * y), FMA(r.y, FMA(a.z, x, -a.x * z), r.z * FMA(a.x, y, -a.y * x)));
+}
+
+INLINE EdgeTest test_edges(const Line *l, global const real *row)
+{
+    uint bits = face_bits(row);
+    int edges = bits & FACE_TRIANGLE ? 3 : 4;
+    Vec first = vec_sub(face_vertex(row, 0), l->origin);
+    Lanes low = edge_function(l->direction, first, row, row + 1), high = low;
+    for (int k = 1; k < edges; k++) {
+        Vec a = vec_sub(face_vertex(row, k), l->origin);
+        Lanes s = edge_function(l->direction, a, row + k, row + (k + 1 & 3));
+        low = LESSER(low, s);
+        high = GREATER(high, s);
+    }
+    /* No vertex is farther from O than the first by more than two edges. */
+    Lanes size = vec_magnitudes(first) + vec_magnitudes(l->origin) + 2 * edge_bound(bits);
+    Lanes bound = l->scale * FMA(size, 16 * REAL_ROUNDING * edge_bound(bits), REAL_FLOOR) + REAL_FLOOR;
+    EdgeTest test;
+    test.with_normal = IS(low > bound);
+    test.sure = test.with_normal | IS(high < -bound);
+    test.may = IS(low >= -bound) | IS(high <= bound);
+    return test;
+}
+
+/* Settles the lanes that may pass inside but not surely. With `target` the rays are segments that end there. */
+NOINLINE void settle_edges(EdgeTest *test, global const real *row, const Ray *ray, const wide *target)
+{
+    MaskElement may[LANES], sure[LANES], with_normal[LANES];
+    wide o[3][LANES], r[3][LANES];
+    STORE(test->may, may);
+    STORE(test->sure, sure);
+    STORE(test->with_normal, with_normal);
+    STORE(ray->origin.x, o[0]);
+    STORE(ray->origin.y, o[1]);
+    STORE(ray->origin.z, o[2]);
+    STORE(ray->direction.x, r[0]);
+    STORE(ray->direction.y, r[1]);
+    STORE(ray->direction.z, r[2]);
+    for (int i = 0; i < LANES; i++) {
+        if (!may[i] || sure[i])
+            continue;
+        wide origin[3] = {o[0][i], o[1][i], o[2][i]};
+        wide zero[3] = {0, 0, 0};
+        wide direction[3] = {r[0][i], r[1][i], r[2][i]};
+        Exact exact = target ? exact_difference(target, origin) : exact_difference(direction, zero);
+        int sign = inside_sign(row, origin, &exact);
+        may[i] = sign ? -1 : 0;
+        with_normal[i] = sign > 0 ? -1 : 0;
+    }
+    test->may = LOAD(may);
+    test->with_normal = LOAD(with_normal);
+}
+
+/* --- Planes, in wide --- */
+
+typedef struct PlaneRow {
+    wide x, y, z; /* N but for what rounding took */
+    wide low_x, low_y, low_z;
+    wide error, length;
+} PlaneRow;
+
+INLINE PlaneRow plane_row(const Geometry *g, int face)
+{
+    global const wide *row = g->planes + (size_t)face * PLANE_REALS;
+    PlaneRow plane = {row[0], row[1], row[2], row[3], row[4], row[5], row[PLANE_ERROR], row[PLANE_LENGTH]};
+    return plane;
+}
+
+static WideVec from_vertex(global const real *row, WideVec point)
+{
+    WideVec d = {point.x - (wide)row[0], point.y - (wide)row[4], point.z - (wide)row[8]};
+    return d;
+}
+
+/* N.x in plain arithmetic. Its error is at most PLAIN_ERROR times the sum of x's magnitudes; in pairs, ACCURATE_ERROR. */
+static Wide normal_dot(const PlaneRow *plane, WideVec x) { return plane->x * x.x + plane->y * x.y + plane->z * x.z; }
+
+#define PLAIN_ERROR(plane) ((plane).error + 8 * WIDE_ROUNDING)
+#define ACCURATE_ERROR(plane) ((plane).error + 64 * WIDE_ROUNDING * WIDE_ROUNDING)
+
+typedef struct WidePair {
+    Wide high, low;
+} WidePair;
+
+static WidePair wide_sum(Wide a, Wide b)
+{
+    WidePair s;
+    s.high = a + b;
+    Wide b_seen = s.high - a;
+    Wide a_seen = s.high - b_seen;
+    s.low = (a - a_seen) + (b - b_seen);
+    return s;
+}
+
+static WidePair wide_product(Wide a, Wide b)
+{
+    WidePair p;
+    p.high = a * b;
+    p.low = fma(a, b, -p.high);
+    return p;
+}
+
+/* A vector of which rounding left `high` and took `low`. */
+typedef struct WidePairs {
+    WideVec high, low;
+} WidePairs;
+
+static WidePairs from_vertex_exactly(global const real *row, WideVec point)
+{
+    WidePair x = wide_sum(point.x, (Wide)(-(wide)row[0]));
+    WidePair y = wide_sum(point.y, (Wide)(-(wide)row[4]));
+    WidePair z = wide_sum(point.z, (Wide)(-(wide)row[8]));
+    WidePairs d = {{x.high, y.high, z.high}, {x.low, y.low, z.low}};
+    return d;
+}
+
+/* The lanes in doubt get M.x / |M| from exact arithmetic. */
+NOINLINE Wide settle_dot(Wide value, global const real *row, wide length, const WidePairs *x, WideMask doubt)
+{
+    wide v[LANES], high[3][LANES], low[3][LANES];
+    WideMaskElement doubtful[LANES];
+    STORE(value, v);
+    STORE(x->high.x, high[0]);
+    STORE(x->high.y, high[1]);
+    STORE(x->high.z, high[2]);
+    STORE(x->low.x, low[0]);
+    STORE(x->low.y, low[1]);
+    STORE(x->low.z, low[2]);
+    STORE(doubt, doubtful);
+    for (int i = 0; i < LANES; i++)
+        if (doubtful[i]) {
+            Exact at = {{high[0][i], low[0][i]}, {high[1][i], low[1][i]}, {high[2][i], low[2][i]}};
+            v[i] = cross_dot(row, &at) / length;
+        }
+    return LOAD(v);
+}
+
+/* N.x in twice the precision, as normal_dot in geometry.c. */
+static WidePair normal_dot_accurate(const PlaneRow *plane, global const real *row, const WidePairs *x, WideMask active)
+{
+    WideVec h = x->high, l = x->low;
+    WidePair xs = wide_product((Wide)plane->x, h.x), ys = wide_product((Wide)plane->y, h.y);
+    WidePair zs = wide_product((Wide)plane->z, h.z);
+    WidePair xy = wide_sum(xs.high, ys.high), xyz = wide_sum(xy.high, zs.high);
+    Wide low = xy.low + xyz.low + (xs.low + ys.low + zs.low) +
+               ((plane->low_x * h.x + plane->low_y * h.y + plane->low_z * h.z) +
+                (plane->x * l.x + plane->y * l.y + plane->z * l.z));
+    WidePair value = wide_sum(xyz.high, low);
+    Wide bound = ACCURATE_ERROR(*plane) * wide_magnitudes(h);
+    WideMask doubt = active & IS(fabs(value.high) <= WIDE_DOUBT * bound);
+    if (ANY(TO_MASK(doubt))) {
+        value.high = settle_dot(value.high, row, plane->length, x, doubt);
+        value.low = doubt ? (Wide)0 : value.low;
+    }
+    return value;
+}
+
+/* N . (point - v0), its sign exact in every lane of `active`. */
+static Wide plane_distance(const Geometry *g, int face, const PlaneRow *plane, WideVec point, WideMask active)
+{
+    global const real *row = face_row(g, face);
+    WideVec x = from_vertex(row, point);
+    Wide value = normal_dot(plane, x);
+    WideMask doubt = active & IS(fabs(value) <= PLAIN_ERROR(*plane) * wide_magnitudes(x));
+    if (!ANY(TO_MASK(doubt)))
+        return value;
+    WidePairs exactly = from_vertex_exactly(row, point);
+    return settle_dot(value, row, plane->length, &exactly, doubt);
+}
+
+NOINLINE wide settle_distance_of_point(global const real *row, const wide *point)
+{
+    wide corner[3];
+    face_corner(row, 0, corner);
+    Exact exactly = exact_difference(point, corner);
+    return cross_dot(row, &exactly);
+}
+
+/* The same for a point common to all lanes. */
+INLINE wide plane_distance_of_point(const Geometry *g, int face, const wide *point)
+{
+    global const real *row = face_row(g, face);
+    global const wide *plane = g->planes + (size_t)face * PLANE_REALS;
+    wide x = point[0] - (wide)row[0], y = point[1] - (wide)row[4], z = point[2] - (wide)row[8];
+    wide value = plane[0] * x + plane[1] * y + plane[2] * z;
+    wide bound = (plane[PLANE_ERROR] + 8 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z));
+    return fabs(value) > bound ? value : settle_distance_of_point(row, point);
+}
+
+/* Where a ray meets a plane. */
+typedef struct PlaneHit {
+    Wide distance, t;
+} PlaneHit;
+
+NOINLINE void plane_hit_accurate(PlaneHit *hit, const PlaneRow *plane, global const real *row, const WideVec *origin,
+                                 const WideVec *direction, WideMask active)
+{
+    WidePairs o = from_vertex_exactly(row, *origin), r = {*direction, {(Wide)0, (Wide)0, (Wide)0}};
+    WidePair distance = normal_dot_accurate(plane, row, &o, active);
+    WidePair approach = normal_dot_accurate(plane, row, &r, active);
+    Wide q = distance.high / approach.high;
+    Wide rest = fma(-q, approach.high, distance.high) + (distance.low - q * approach.low);
+    hit->distance = distance.high;
+    hit->t = -(IS(fabs(q) <= (Wide)WIDE_MAX) ? q + rest / approach.high : q);
+}
+
+/* Plain arithmetic in `wide` leaves an error of some 2^-50 |O - v0| in N.(O - v0) and of 2^-50 |R| in N.R, which is nothing
+ * to a float unless the ray grazes the plane or starts close to it. There, and for t in double, it is done as in geometry.c. */
+static PlaneHit plane_hit(const Geometry *g, int face, const WideVec *origin, const WideVec *direction, WideMask active)
+{
+    PlaneRow plane = plane_row(g, face);
+    PlaneHit hit;
+    WideMask doubt = active;
+    if (!PLAIN_IS_POOR) {
+        WideVec x = from_vertex(face_row(g, face), *origin);
+        Wide approach = normal_dot(&plane, *direction);
+        hit.distance = normal_dot(&plane, x);
+        hit.t = -hit.distance / approach;
+        doubt &= IS(fabs(hit.distance) <= PLAIN_DOUBT * wide_magnitudes(x)) |
+                 IS(fabs(approach) <= PLAIN_DOUBT * wide_magnitudes(*direction));
+    }
+    if (ANY(TO_MASK(doubt)))
+        plane_hit_accurate(&hit, &plane, face_row(g, face), origin, direction, active);
+    return hit;
+}
+
+/* The same for rays that have one origin. */
+static PlaneHit plane_hit_from_point(const Geometry *g, int face, const WideVec *origin, const WideVec *direction, WideMask active)
+{
+    if (PLAIN_IS_POOR)
+        return plane_hit(g, face, origin, direction, active);
+    PlaneRow plane = plane_row(g, face);
+    global const real *row = face_row(g, face);
+    wide x = first_wide(origin->x) - row[0], y = first_wide(origin->y) - row[4], z = first_wide(origin->z) - row[8];
+    wide distance = plane.x * x + plane.y * y + plane.z * z;
+    Wide approach = normal_dot(&plane, *direction);
+    if (fabs(distance) <= PLAIN_DOUBT * (fabs(x) + fabs(y) + fabs(z)) ||
+        ANY(TO_MASK(active & IS(fabs(approach) <= PLAIN_DOUBT * wide_magnitudes(*direction)))))
+        return plane_hit(g, face, origin, direction, active);
+    PlaneHit hit = {(Wide)distance, -distance / approach};
+    return hit;
+}
+
+/* The part of each ray from t = enter to t = leave. */
+typedef struct Interval {
+    Wide enter, leave;
+} Interval;
+
+/* Narrows the interval to between two planes across an axis, as interval_between in box.c, bit for bit. */
+INLINE void cross_planes(Interval *interval, wide low, wide high, Wide origin, Wide direction)
+{
+    const wide slack = 8 * WIDE_ROUNDING;
+    Wide to_low = (low - origin) / direction, to_high = (high - origin) / direction;
+    WideMask along = IS(direction == (Wide)0), forward = IS(direction > (Wide)0);
+    WideMask between = IS(origin >= (Wide)low) & IS(origin <= (Wide)high);
+    Wide enter = (forward ? to_low : to_high) * (1 - slack), leave = (forward ? to_high : to_low) * (1 + slack);
+    enter = along ? (between ? (Wide)0 : (Wide)WIDE_MAX) : enter;
+    leave = along ? (between ? (Wide)WIDE_MAX : (Wide)-WIDE_MAX) : leave;
+    interval->enter = enter > interval->enter ? enter : interval->enter;
+    interval->leave = leave < interval->leave ? leave : interval->leave;
+}
+
+/* Where each ray is in the face's box. */
+static Interval interval_in_box(global const FaceRecord *face, const Ray *ray)
+{
+    Interval interval = {(Wide)0, (Wide)WIDE_MAX};
+    cross_planes(&interval, (wide)face->box[0], (wide)face->box[1], ray->origin.x, ray->direction.x);
+    cross_planes(&interval, (wide)face->box[2], (wide)face->box[3], ray->origin.y, ray->direction.y);
+    cross_planes(&interval, (wide)face->box[4], (wide)face->box[5], ray->origin.z, ray->direction.z);
+    return interval;
+}

@@ -1,0 +1,179 @@
+/* Paths: a tile of rays followed from face to face, in packets. */
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/apex.cl"
+#include "packet/intersect.cl"
+#include "packet/points.cl"
+#include "packet/counters.cl"
+#include "packet/accel.cl"
+#include "packet/tree.cl"
+#include "packet/search.cl"
+#include "packet/shade.cl"
+
+/* The faces that each lane's ray met, in order, kept for adaptive sampling: -1 where it left the scene, TRAIL_ENDED where its
+ * path had ended before. */
+#if ADAPTIVE
+#define TRACE NOINLINE /* called twice, but compiled once */
+#define TRAIL_ENDED -2
+
+typedef struct Trail {
+    Mask faces[PATH_MAX];
+    int count;
+} Trail;
+
+INLINE void trail_add(Trail *trails, int p, Mask faces, Mask active)
+{
+    if (trails)
+        trails[p].faces[trails[p].count++] = active ? faces : (Mask)TRAIL_ENDED;
+}
+#else
+#define TRACE static
+
+typedef int Trail;
+
+INLINE void trail_add(Trail *trails, int p, Mask faces, Mask active) {}
+#endif
+
+/* The nearest faces of rays that come from images of the eye: those that share one are searched together. */
+INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, real length, const Rest *left,
+                           Pencil *pencils, Nearest *nearest, Mask *close, Counters *counters)
+{
+    Mask rest[PACKETS];
+    EACH_PACKET(p)
+        rest[p] = paths[p].active;
+    while (any_packet(rest)) {
+        int first = 0;
+        while (!ANY(rest[first]))
+            first++;
+        wide x[LANES], y[LANES], z[LANES];
+        STORE(paths[first].apex.x, x);
+        STORE(paths[first].apex.y, y);
+        STORE(paths[first].apex.z, z);
+        int lane = lowest_bit(mask_bits(rest[first]));
+        wide image[3] = {x[lane], y[lane], z[lane]};
+        WideVec at = wide_vec((Wide)image[0], (Wide)image[1], (Wide)image[2]);
+        Lanes spread = (Lanes)0;
+        EACH_PACKET(p) {
+            pencils[p].active = (Mask)0;
+            if (!ANY(rest[p]))
+                continue;
+            /* What one image is, rounding tells apart; the bundle's spread covers it. */
+            WideVec origin = rays[p].origin, from = wide_sub(origin, at), apart = wide_sub(paths[p].apex, at);
+            Wide same = (256 * WIDE_ROUNDING) * (wide_magnitudes(at) + wide_magnitudes(from));
+            pencils[p].active = rest[p] & TO_MASK(IS(wide_magnitudes(apart) <= same));
+            rest[p] &= ~pencils[p].active;
+            WideVec d = rays[p].direction;
+            Wide begin = wide_dot(from, d) / (PLAIN_IS_POOR ? (Wide)1 : wide_dot(d, d)); /* in double d is a unit vector */
+            WideVec off = wide_sub(from, wide_scale(begin, d));
+            Wide rounding = (16 * WIDE_ROUNDING) * (wide_magnitudes(at) + wide_magnitudes(from));
+            Lanes s = TO_REAL(wide_magnitudes(off) + rounding) * (1 + 4 * REAL_ROUNDING);
+            spread = (pencils[p].active & IS(s > spread)) ? s : spread;
+            nearest[p].begin = TO_REAL(begin);
+            nearest[p].limit = 1 / nearest[p].begin;
+        }
+        Apex a = apex_at(image, -lanes_lowest(-spread), length);
+        Bundle all = bundle_from(&a, pencils, PACKETS, 0);
+        find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, left, false, close, counters);
+    }
+    EACH_PACKET(p)
+        close[p] = (Mask)-1; /* what is left out is proved for rays from the eye only */
+}
+
+/* The nearest faces of all paths; first from the eye, then from its images. left: what is left to be asked, or NULL: all. */
+INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, const Bundle *seen, const Path *paths,
+                         const Ray *rays, bool from_eye, const Rest *left, Nearest *nearest, Mask *close, Counters *counters)
+{
+    Pencil pencils[PACKETS];
+    EACH_PACKET(p) {
+        nearest[p] = nothing_yet();
+        pencils[p] = no_pencil();
+        pencils[p].active = paths[p].active;
+        if (!ANY(paths[p].active))
+            continue;
+        pencils[p].left = paths[p].left;
+        pencils[p].ahead = vec_to_real(rays[p].direction);
+    }
+    if (from_eye) {
+        find_nearest_from(g, tree, eye, pencils, rays, nearest, seen, left, true, close, counters);
+    } else {
+        real length = (PLAIN_IS_POOR ? 1 : eye->length) * (1 + 4 * REAL_ROUNDING);
+        find_reflected(g, tree, paths, rays, length, left, pencils, nearest, close, counters);
+    }
+}
+
+/* Paths at their beginning, in the eye. */
+INLINE void begin_paths(Path *paths, const Ray *rays)
+{
+    EACH_PACKET(p) {
+        paths[p].apex = rays[p].origin;
+        paths[p].left = (Mask)-1;
+        paths[p].total = vec(0, 0, 0);
+        paths[p].weight = (Lanes)1;
+    }
+}
+
+/* Adds to each path's total its hits' illuminations, each weighted by the mirrors before it. The rays have been mirrored so
+ * many times as `bounces` says; those from the eye, an apex, are the bundle `seen`. left: of the first search, as
+ * find_nearest. trails: one per packet, or NULL. */
+TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, const Apex *apex, const Bundle *seen, int bounces,
+                       Path *paths, Ray *rays, const Rest *left, Trail *trails, Counters *counters)
+{
+    constant const Parameters *parameters = s->parameters;
+    Vec background = vec_row(s->view + VIEW_BACKGROUND);
+    for (;; bounces++, left = 0) {
+        Nearest nearest[PACKETS];
+        Mask close[PACKETS];
+        find_nearest(g, s->tree, apex, seen, paths, rays, bounces == 0, left, nearest, close, counters);
+
+        Surface surfaces[PACKETS];
+        Sketch sketches[PACKETS];
+        Vec v[PACKETS], illumination[PACKETS];
+        Mask active[PACKETS], lit[PACKETS];
+        const wide *one_apex = bounces == 0 ? eye : 0;
+        Points points;
+        points_of(&points, g, rays, nearest, active, bounces == 0);
+        EACH_PACKET(p) {
+            Path *path = paths + p;
+            trail_add(trails, p, nearest[p].face, path->active);
+            Mask missed = path->active & IS(nearest[p].face < (Mask)0);
+            path->total = vec_select(missed, vec_add(path->total, vec_scale(path->weight, background)), path->total);
+            path->active &= ~missed;
+            active[p] = path->active;
+            if (!ANY(path->active))
+                continue;
+            Vec ahead = vec_to_real(rays[p].direction);
+            find_surface(g, s, nearest + p, path->active, ahead, one_apex, &path->apex, surfaces + p, sketches + p);
+            v[p] = look_back(s, eye, sketches + p, ahead, bounces == 0, from_apexes(eye, one_apex, &path->apex), &points, p);
+        }
+        if (!any_packet(active))
+            return;
+        shade(g, s, surfaces, sketches, one_apex, paths, &points, close, v, active, illumination, lit, counters);
+
+        EACH_PACKET(p) {
+            Path *path = paths + p;
+            if (!ANY(path->active))
+                continue;
+            path->total = vec_select(path->active, vec_add(path->total, vec_scale(path->weight, illumination[p])), path->total);
+            if (bounces == parameters->max_bounces)
+                continue;
+            if (!parameters->shadow_ambient)
+                path->active &= lit[p];
+            path->active &= IS(surfaces[p].reflection > (Lanes)0);
+            drop_weak(s, path, surfaces[p].reflection, counters);
+            active[p] = path->active;
+        }
+        if (bounces == parameters->max_bounces || !any_packet(active))
+            return;
+        EACH_PACKET(p) {
+            Path *path = paths + p;
+            const Surface *surface = surfaces + p;
+            if (!ANY(path->active))
+                continue;
+            counters->kinds[COUNT_REFLECTION] += mask_count(path->active);
+            reflect(&points, p, path->active, rays + p, &path->apex);
+            path->weight = path->weight * surface->reflection;
+            path->left = surface->face;
+        }
+    }
+}

@@ -1,0 +1,115 @@
+/* Where rays meet their nearest faces, and the points shifted off them, in `wide`. A point is told when it is asked for: most
+ * points serve shading alone, for which shade.cl has a sketch. */
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/intersect.cl"
+
+/* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */
+static WideVec point_shifted(const Geometry *g, int face, const PlaneRow *plane, WideVec n, WideMask with_normal, WideVec point)
+{
+    global const real *row = face_row(g, face);
+    Wide height, doubt;
+    if (PLAIN_IS_POOR) {
+        WidePairs x = from_vertex_exactly(row, point);
+        height = normal_dot_accurate(plane, row, &x, (WideMask)-1).high;
+        doubt = ACCURATE_ERROR(*plane) * wide_magnitudes(x.high);
+    } else {
+        WideVec x = from_vertex(row, point);
+        height = normal_dot(plane, x);
+        doubt = PLAIN_ERROR(*plane) * wide_magnitudes(x);
+    }
+    height = with_normal ? -height : height;
+    Wide margin = 2 * WIDE_ROUNDING * wide_magnitudes(point) + 12 * WIDE_ROUNDING * fabs(height) + doubt;
+    margin = margin > (Wide)SHIFT_FLOOR ? margin : (Wide)SHIFT_FLOOR;
+    return wide_add(point, wide_scale(margin - height, n));
+}
+
+/* Where the rays meet the face. */
+INLINE WideVec point_on(const Geometry *g, const Ray *ray, bool from_eye, int face, Mask here)
+{
+    WideMask wide_here = TO_WIDE_MASK(here);
+    Wide t = from_eye ? plane_hit_from_point(g, face, &ray->origin, &ray->direction, wide_here).t
+                      : plane_hit(g, face, &ray->origin, &ray->direction, wide_here).t;
+    return wide_add(ray->origin, wide_scale(t, ray->direction));
+}
+
+typedef struct Points {
+    const Geometry *g;
+    const Ray *rays;
+    const Nearest *nearest;
+    const Mask *active;
+    bool from_eye; /* the rays have one origin */
+    Mask told[PACKETS]; /* the lanes whose points are told */
+    WideVec point[PACKETS], shifted[PACKETS];
+} Points;
+
+INLINE void points_of(Points *points, const Geometry *g, const Ray *rays, const Nearest *nearest, const Mask *active, bool from_eye)
+{
+    points->g = g;
+    points->rays = rays;
+    points->nearest = nearest;
+    points->active = active;
+    points->from_eye = from_eye;
+    EACH_PACKET(p)
+        points->told[p] = (Mask)0;
+}
+
+/* Tells the points of those lanes of packet p, and of all active ones that meet the same faces, if they are not told yet. */
+NOINLINE void tell_points(Points *points, int p, Mask lanes)
+{
+    const Geometry *g = points->g;
+    const Nearest *nearest = points->nearest + p;
+    WideMask with_normal = TO_WIDE_MASK(nearest->with_normal);
+    for (Mask rest = lanes & points->active[p] & ~points->told[p]; ANY(rest);) {
+        int face = first_of(nearest->face, rest);
+        Mask here = points->active[p] & IS(nearest->face == (Mask)face);
+        bool first = !ANY(points->told[p]);
+        rest &= ~here;
+        points->told[p] |= here;
+        WideVec point = point_on(g, points->rays + p, points->from_eye, face, here);
+        PlaneRow plane = plane_row(g, face);
+        WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
+        WideVec turned = wide_select(with_normal, wide_vec(-normal.x, -normal.y, -normal.z), normal);
+        WideVec off = point_shifted(g, face, &plane, turned, with_normal, point);
+        if (first) { /* mostly there is one face */
+            points->point[p] = point;
+            points->shifted[p] = off;
+            continue;
+        }
+        WideMask wide_here = TO_WIDE_MASK(here);
+        points->point[p] = wide_select(wide_here, point, points->point[p]);
+        points->shifted[p] = wide_select(wide_here, off, points->shifted[p]);
+    }
+}
+
+INLINE const WideVec *shifted_point(Points *points, int p, Mask lanes)
+{
+    tell_points(points, p, lanes);
+    return points->shifted + p;
+}
+
+/* N of each lane's face, on the side that the ray came from. */
+static WideVec wide_normal(const Geometry *g, const Nearest *nearest, Mask active)
+{
+    WideVec normal = wide_vec((Wide)0, (Wide)0, (Wide)0);
+    for (Mask rest = active; ANY(rest);) {
+        int face = first_of(nearest->face, rest);
+        Mask here = rest & IS(nearest->face == (Mask)face);
+        rest &= ~here;
+        global const wide *row = g->planes + (size_t)face * PLANE_REALS;
+        normal = wide_select(TO_WIDE_MASK(here), wide_vec((Wide)row[0], (Wide)row[1], (Wide)row[2]), normal);
+    }
+    return wide_select(TO_WIDE_MASK(nearest->with_normal), wide_vec(-normal.x, -normal.y, -normal.z), normal);
+}
+
+/* The rays of packet p's active lanes after their faces have mirrored them, and the image of their apex. In double directions are
+ * made unit vectors, as the reference does it; float leaves them as long as they are, and the image's camera has the same. */
+INLINE void reflect(Points *points, int p, Mask active, Ray *ray, WideVec *apex)
+{
+    tell_points(points, p, active);
+    WideVec r = PLAIN_IS_POOR ? wide_unit(ray->direction) : ray->direction, n = wide_normal(points->g, points->nearest + p, active);
+    ray->direction = wide_sub(r, wide_scale(2 * wide_dot(r, n), n));
+    ray->origin = points->shifted[p];
+    *apex = wide_sub(*apex, wide_scale(2 * wide_dot(wide_sub(*apex, points->point[p]), n), n));
+}

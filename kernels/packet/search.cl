@@ -1,0 +1,310 @@
+/* In which order rays ask the faces: all of them, or those in the leaves of the tree that a bundle of rays meets. */
+#include "shared/skips.h"
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/apex.cl"
+#include "packet/intersect.cl"
+#include "packet/points.cl"
+#include "packet/counters.cl"
+#include "packet/accel.cl"
+#include "packet/tree.cl"
+
+INLINE bool any_packet(const Mask *masks)
+{
+    Mask any = masks[0];
+    for (int p = 1; p < PACKETS; p++)
+        any |= masks[p];
+    return ANY(any);
+}
+
+/* How many faces a large group of rays may meet before it is cut into smaller ones, each of which goes on where the large one
+ * stopped; tuned on the ladder of scenes. */
+enum { NEAREST_BUDGET = 16, BLOCKED_BUDGET = 12 };
+#define NO_BUDGET 0xffffffffu
+
+/* Groups of shadow rays are cut so often, to directions that are as near to one another as this; the last ones are not cut. */
+enum { NEAR_LEVELS = 3 };
+#define NEAR_MOST ((real)0.1f)
+#define NEAR_LESS ((real)0.125f)
+
+/* How far active lanes have to look: to the farthest of their nearest hits. */
+INLINE real farthest(const Nearest *n, Mask active)
+{
+    real lowest = lanes_lowest(active ? n->low : (Lanes)REACH_ALL);
+    return lowest > 1 / REACH_ALL ? 1 / lowest : REACH_ALL;
+}
+
+/* What a search of all rays of a tile has left to be asked: what `stack` leads to, and one face, -1: none. */
+typedef struct Rest {
+    Stack stack;
+    int face;
+} Rest;
+
+INLINE Rest rest_of_all(const Tree *tree, const Bundle *b)
+{
+    Rest rest = {stack_of(tree, b), -1};
+    return rest;
+}
+
+/* The nearest faces ahead of the active lanes of the pencils, which come from one apex, among the rest. False: after more than
+ * `budget` faces it stopped; what it has not asked then is in `rest`. `outside`: as see_face. close: collects the lanes that
+ * might need what is left out. */
+INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, const Pencil *pencils, const Ray *rays,
+                         Nearest *nearest, Bundle b, Rest *rest, int packets, uint budget, bool outside, Mask *close,
+                         Counters *counters)
+{
+    real reach[PACKETS];
+    uint lanes = 0, asked = 0;
+    EACH_OF(p, packets) {
+        uint asking = mask_count(pencils[p].active);
+        reach[p] = asking ? farthest(nearest + p, pencils[p].active) : 0;
+        lanes += asking;
+    }
+    if (lanes == 0)
+        return true;
+    if (outside)
+        bundle_leave_out_sides(&b, false);
+    for (int first, count; asked <= budget;) {
+        bool single = rest->face >= 0;
+        if (single)
+            count = 1;
+        else if (!next_leaf(g, tree, &b, lanes, &rest->stack, &first, &count, counters))
+            break;
+        asked += (uint)count;
+        for (int k = 0; k < count; k++) {
+            int i = single ? rest->face : face_in_leaf(tree, first + k);
+            ApexFace face;
+            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, false, outside, &face);
+            if (sight == SIGHT_NONE) {
+                if (face.closed)
+                    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
+                continue;
+            }
+            real farthest_reach = 0;
+            EACH_OF(p, packets) {
+                if (reach[p] > 0) {
+                    const Pencil *pencil = pencils + p;
+                    if (sight == SIGHT_DOUBTFUL)
+                        close[p] |= pencil->active;
+                    bool nearer = sight == SIGHT_CLEAR
+                                      ? ask_nearest_from(g, pencil, rays + p, &face, i, nearest + p, close + p)
+                                      : settle_nearest(g, rays + p, pencil->active & IS(pencil->left != (Mask)i), i, nearest + p);
+                    if (nearer)
+                        reach[p] = farthest(nearest + p, pencil->active);
+                    farthest_reach = GREATER(farthest_reach, reach[p]);
+                }
+            }
+            bundle_shorten(&b, farthest_reach);
+        }
+        rest->face = -1;
+    }
+    counters->kinds[COUNT_FACE_TESTS] += lanes * asked;
+    return asked <= budget;
+}
+
+/* The same for all packets among what is left, NULL: all; where together they meet too many faces, each goes on by itself.
+ * Then all is asked anew for the lanes in which what was left out might matter, which `close` collects. all: the bundle of all
+ * rays. What is active in the pencils does not stay. */
+INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, Pencil *pencils, const Ray *rays,
+                              Nearest *nearest, const Bundle *all, const Rest *left, bool outside, Mask *close, Counters *counters)
+{
+    EACH_PACKET(p)
+        close[p] = (Mask)0;
+    int packets = PACKETS;
+    uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
+    Rest rest = left ? *left : rest_of_all(tree, all);
+    __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets) {
+        Bundle b = packets < PACKETS ? bundle_from(a, pencils + p, 1, 0) : *all;
+        Rest here = rest;
+        if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, &here, packets, budget, outside, close + p,
+                          counters)) {
+            rest = here;
+            p = -1;
+            packets = 1;
+            budget = NO_BUDGET;
+        } else if (outside && p + packets == PACKETS && any_packet(close)) {
+            outside = false;
+            rest = rest_of_all(tree, all);
+            EACH_PACKET(k)
+                pencils[k].active = close[k];
+            p = -packets;
+        }
+    }
+}
+
+/* The active lanes whose direction is as like that of the first active one as `near` says, pencil by pencil. */
+INLINE void like_first(const Pencil *pencils, const Mask *rest, real near, Mask *like)
+{
+    int first = 0;
+    while (!ANY(rest[first]))
+        first++;
+    real x[LANES], y[LANES], z[LANES];
+    STORE(pencils[first].ahead.x, x);
+    STORE(pencils[first].ahead.y, y);
+    STORE(pencils[first].ahead.z, z);
+    int i = lowest_bit(mask_bits(rest[first]));
+    EACH_PACKET(p) {
+        Vec d = pencils[p].ahead;
+        like[p] = rest[p] & IS(fabs(d.x - x[i]) <= (Lanes)near) & IS(fabs(d.y - y[i]) <= (Lanes)near) &
+                  IS(fabs(d.z - z[i]) <= (Lanes)near);
+    }
+}
+
+/* The bundle of shadow rays told from the apex, as far as they go. */
+INLINE Bundle bundle_of_shadow_rays(const Apex *a, const Pencil *pencils)
+{
+    Lanes ends = (Lanes)REACH_ALL, doubts = (Lanes)1;
+    EACH_PACKET(p) {
+        const Pencil *pencil = pencils + p;
+        ends = (pencil->active & IS(pencil->per_end < ends)) ? pencil->per_end : ends;
+        doubts = (pencil->active & IS(pencil->doubt > doubts)) ? pencil->doubt : doubts;
+    }
+    real share = SHARE_OF(-lanes_lowest(-doubts));
+    Bundle b = bundle_from(a, pencils, PACKETS, share);
+    bundle_shorten(&b, (1 + 2 * share) / lanes_lowest(ends));
+    return b;
+}
+
+/* blocked: collects the active lanes of the pencils whose segments from the point to the target, an apex, a face blocks,
+ * strictly between the two, among the faces that `stack` leads to; they are active no more. False: after more than `budget`
+ * faces it stopped; what it has not asked then is on the stack. */
+INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, const wide *target, Pencil *pencils, Points *points,
+                         Mask *blocked, Bundle b, Stack *stack, uint budget, bool outside, Counters *counters)
+{
+    uint asking[PACKETS], lanes = 0, asked = 0;
+    EACH_PACKET(p)
+        lanes += asking[p] = mask_count(pencils[p].active);
+    if (outside)
+        bundle_leave_out_sides(&b, true);
+    for (int first, count; asked <= budget && next_leaf(g, tree, &b, lanes, stack, &first, &count, counters);) {
+        asked += (uint)count;
+        for (int k = first; k < first + count; k++) {
+            int i = face_in_leaf(tree, k);
+            counters->kinds[COUNT_FACE_TESTS] += lanes;
+            ApexFace face;
+            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, true, outside, &face);
+            if (sight == SIGHT_NONE) {
+                if (face.closed)
+                    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
+                continue;
+            }
+            EACH_PACKET(p) {
+                if (asking[p] == 0)
+                    continue;
+                Pencil *pencil = pencils + p;
+                Mask hit = (Mask)0, doubt = pencil->active & IS(pencil->left != (Mask)i);
+                if (sight == SIGHT_CLEAR)
+                    hit = ask_blocked_from(pencil, &face, i, &doubt);
+                if (ANY(doubt))
+                    hit |= ask_blocked(g, shifted_point(points, p, doubt), target, doubt, i);
+                if (ANY(hit)) {
+                    blocked[p] |= hit;
+                    pencil->active &= ~hit;
+                    lanes -= asking[p];
+                    lanes += asking[p] = mask_count(pencil->active);
+                }
+            }
+            if (lanes == 0)
+                return true;
+        }
+    }
+    return asked <= budget;
+}
+
+/* The same for the lanes `asking`, in groups of like directions: one that meets many faces is cut, and its parts go on where
+ * it stopped. Those that are `close` come last, and all faces are asked for them. all: leads to what may block any of them, or
+ * NULL: the root does. */
+NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, Pencil *pencils, Points *points,
+                           const Mask *close, const Mask *asking, const Stack *all, Mask *blocked, Counters *counters)
+{
+    Apex a = apex_at(target, 0, 1 + 4 * REAL_ROUNDING);
+    Mask rest[NEAR_LEVELS][PACKETS]; /* level by level: first all, then those of the group above that has been cut */
+    Stack stacks[NEAR_LEVELS - 1];   /* what that group has left */
+    real near = NEAR_MOST;
+    bool outside = true;
+    EACH_PACKET(p) {
+        blocked[p] = (Mask)0;
+        rest[0][p] = asking[p] & ~close[p];
+    }
+    for (int level = 0;;) {
+        if (!any_packet(rest[level])) {
+            if (level > 0) {
+                level--;
+                near /= NEAR_LESS;
+                continue;
+            }
+            if (!outside)
+                return;
+            outside = false;
+            EACH_PACKET(p)
+                rest[0][p] = asking[p] & close[p];
+            continue;
+        }
+        Mask group[PACKETS];
+        like_first(pencils, rest[level], near, group);
+        EACH_PACKET(p) {
+            rest[level][p] &= ~group[p];
+            pencils[p].active = group[p];
+        }
+        Bundle b = bundle_of_shadow_rays(&a, pencils);
+        Stack stack = level > 0 ? stacks[level - 1] : all ? *all : stack_of(tree, &b);
+        uint budget = level + 1 < NEAR_LEVELS ? BLOCKED_BUDGET : NO_BUDGET;
+        if (!walk_blocked(g, tree, &a, target, pencils, points, blocked, b, &stack, budget, outside, counters)) {
+            stacks[level++] = stack;
+            near *= NEAR_LESS;
+            EACH_PACKET(p)
+                rest[level][p] = pencils[p].active;
+        }
+    }
+}
+
+/* The nearest faces ahead of one packet of any rays, exactly. */
+static Hit find_nearest_apart(const Geometry *g, const Tree *tree, const Ray *ray, Mask active, Counters *counters)
+{
+    Line l = line(vec_to_real(ray->origin), vec_to_real(ray->direction));
+    Hit nearest = no_hit();
+    uint lanes = mask_count(active);
+    Bundle b = bundle_of(&l, active);
+    Stack stack = stack_of(tree, &b);
+    for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
+        bool nearer = false;
+        for (int k = first; k < first + count; k++)
+            nearer |= ask_nearest(g, &l, ray, active, face_in_leaf(tree, k), &nearest);
+        counters->kinds[COUNT_FACE_TESTS] += lanes * (uint)count;
+        if (nearer) {
+            Lanes t = TO_REAL(nearest.t_in_box < (Wide)REACH_ALL ? nearest.t_in_box : (Wide)REACH_ALL) * l.scale;
+            bundle_shorten(&b, -lanes_lowest(active ? -t : (Lanes)0));
+        }
+    }
+    return nearest;
+}
+
+/* The lanes whose ray starts where the first one's does. */
+static Mask same_origin(const Ray *ray)
+{
+    WideVec o = ray->origin;
+    return TO_MASK(IS(o.x == (Wide)first_wide(o.x)) & IS(o.y == (Wide)first_wide(o.y)) & IS(o.z == (Wide)first_wide(o.z)));
+}
+
+/* The same for rays that all start at one point. */
+static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray *ray, Mask active, Counters *counters)
+{
+    Pencil pencils[PACKETS];
+    Nearest nearest[PACKETS];
+    Ray rays[PACKETS];
+    Mask close[PACKETS];
+    Vec direction = vec_to_real(ray->direction);
+    EACH_PACKET(p) {
+        rays[p] = *ray;
+        pencils[p].ahead = direction;
+        pencils[p].active = p == 0 ? active : (Mask)0;
+        pencils[p].left = (Mask)-1;
+        nearest[p] = nothing_yet();
+    }
+    wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
+    Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_magnitudes(direction) : (Lanes)0));
+    Bundle all = bundle_from(&a, pencils, PACKETS, 0);
+    find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, 0, false, close, counters);
+    return exact_hit(g, ray, nearest, active);
+}

@@ -1,0 +1,126 @@
+/* The data that the host and the kernels share: one header, compiled by both languages.
+ * Structs hold 4-byte scalars only, so that no compiler pads them; their sizes are checked when a kernel is built.
+ * Everything real-valued travels as rows of `real` (float or double, a build option): the enums name the columns.
+ * A row's value that needs more than a float in the float kernel is split: value = NAME + NAME_LOW. */
+#ifndef RECTRAY_LAYOUT_H
+#define RECTRAY_LAYOUT_H
+
+#include "skips.h"
+
+/* Of a face, what only those rays need that hit it: half of a cache line. */
+typedef struct FaceRecord {
+    int material; /* its number; with FACE_FLAT, the face is across an axis, so that every hit is in its box */
+    int index;    /* the face's place in the scene; on the device, faces stand in the order of the tree's leaves */
+    float box[6]; /* of face_box: low x, high x, low y, ... */
+} FaceRecord;
+
+#define FACE_FLAT 0x40000000
+
+/* A path has at most so many hits. */
+enum { PATH_MAX = 65 };
+
+/* What stays the same over a launch, but for the band. */
+typedef struct Parameters {
+    int columns, rows;
+    int first_row, band_rows; /* the rows that this launch renders */
+    int grid;           /* so many columns and rows of cells in a pixel; where it is refined, so many samples, one in each of them */
+    int face_count, light_count;
+    int max_bounces;
+    int shadow_ambient; /* 1: a light's ambient term counts in its shadow too, and the path goes on */
+    int viewer_ray;     /* 1: V points back along the ray */
+    int ray_count;      /* cast only */
+    int refine_first, refine_count; /* render_adaptive only: the stretch of the list of pixels that this launch refines */
+    int no_skip;        /* bit SKIP_...: that work is done although the scene does not need it */
+    int generator;      /* render_adaptive only: sample k of a refined pixel is in row k generator mod grid */
+    int padding;
+} Parameters;
+
+/* A face as all rays ask it that come near it; in float one cache line. */
+enum {
+    FACE_VERTICES = 0, /* 4 x, 4 y, 4 z: exactly the float32 vertices of the scene; a triangle repeats its first */
+    FACE_NORMAL = 12,  /* 3, unit */
+    FACE_BITS = 15,    /* 32 bits: two bounds and three answers */
+    FACE_REALS = 16
+};
+
+/* The upper half of FACE_BITS is that of a float: no edge has larger |x|+|y|+|z|. The lower half is the upper one of another:
+ * no vertex is farther from the plane. What is told beside them is in their signs and makes the second larger at most. */
+#define FACE_TRIANGLE 0x80000000u
+#define FACE_BACK_OPEN 0x8000u /* rays pass from behind the normal: the face is one-sided */
+#define FACE_BACK_INSIDE 1u    /* behind it is the inside of a closed box: rays from outside meet a front of the box first */
+
+/* Planes are rows of `wide`: double wherever the device has it. */
+enum {
+    PLANE_NORMAL = 0, /* 3, unit */
+    PLANE_NORMAL_LOW = 3,
+    PLANE_ERROR = 6,  /* no component of the exact normal is farther from NORMAL + NORMAL_LOW */
+    PLANE_LENGTH = 7, /* of the cross product of the diagonals */
+    PLANE_REALS = 8
+};
+
+enum {
+    LIGHT_POSITION = 0, /* 3 */
+    LIGHT_POSITION_LOW = 3,
+    LIGHT_AMBIENT = 6, /* 3, RGB, as the next two */
+    LIGHT_DIFFUSE = 9,
+    LIGHT_SPECULAR = 12,
+    LIGHT_REALS = 16
+};
+
+enum {
+    MATERIAL_AMBIENT = 0, /* 3, RGB, as the next two */
+    MATERIAL_DIFFUSE = 3,
+    MATERIAL_SPECULAR = 6,
+    MATERIAL_EXPONENT = 9, /* alpha / 4 */
+    MATERIAL_REFLECTION = 10,
+    MATERIAL_REALS = 12
+};
+
+/* The first VIEW_REALS are rounded values, the second what rounding took away: value = row[i] + row[VIEW_REALS + i]. */
+enum {
+    VIEW_EYE = 0,
+    VIEW_FORWARD = 3, /* times the screen's distance */
+    VIEW_RIGHT = 6,
+    VIEW_UP = 9,
+    VIEW_WIDTH = 12,
+    VIEW_HEIGHT = 13,
+    VIEW_BACKGROUND = 14, /* 3, RGB */
+    VIEW_BRIGHTEST = 17,  /* adaptive sampling: the most that a hit and all its mirror shows can add */
+    VIEW_LENGTH = 18,     /* no primary ray's direction is longer */
+    VIEW_FARTHEST = 19,   /* no vertex has larger |x|+|y|+|z| */
+    VIEW_REALS = 20
+};
+
+/* A child of a tree's node is another node's number, or the faces of a leaf, or nothing. A leaf has up to LEAF_MAX faces, or one
+ * side of a closed box: 2 axis for the low one, one more for the high one. The key of such a leaf says nothing but the side. */
+enum { NO_CHILD = -2147483647 - 1, LEAF_BITS = 4, LEAF_MASK = (1 << LEAF_BITS) - 1, LEAF_MAX = 8, NO_SIDE_KEY = -1 };
+#define LEAF(first, count) (~(((first) << LEAF_BITS) | (count)))
+#define SIDE_LEAF(first, side) LEAF(first, LEAF_MAX + 1 + (side))
+#define LEAF_FIRST(child) (~(child) >> LEAF_BITS)
+#define LEAF_COUNT(child) ((~(child) & LEAF_MASK) <= LEAF_MAX ? ~(child) & LEAF_MASK : 1)
+#define LEAF_KEY(child) ((child) & (NO_CHILD | LEAF_MASK))
+#define SIDE_KEY(side) LEAF_KEY(SIDE_LEAF(0, side))
+
+/* A node of a k-d tree. The low child of an inner node is the node after it. */
+enum {
+    KD_AXIS = 0,  /* 0, 1, 2, or KD_LEAF */
+    KD_FIRST = 1, /* inner node: the high child; leaf: its first place in the list of faces */
+    KD_COUNT = 2, /* leaf: how many faces */
+    KD_INTS = 3,
+    KD_LEAF = 3
+};
+
+/* Counters, in COUNTER_STRIPES copies so that work-items seldom meet; the host adds the copies. */
+enum {
+    COUNT_PRIMARY,
+    COUNT_SHADOW,
+    COUNT_REFLECTION,
+    COUNT_FACE_TESTS, /* rays times faces */
+    COUNT_BOX_TESTS,  /* bundles times boxes */
+    COUNT_SKIPPED,    /* SKIPS_COUNTED kinds */
+    COUNTER_KINDS = COUNT_SKIPPED + SKIPS_COUNTED,
+    COUNTER_STRIPES = 64,
+    COUNTER_STRIDE = 16 /* 4-byte counters from one copy to the next: a cache line */
+};
+
+#endif

@@ -1,0 +1,54 @@
+/* The two types of numbers. `real` is what most arithmetic is done in, float or double as the build option REAL_DOUBLE says.
+ * `wide` is double wherever the device has it (HAS_DOUBLE): rays, t and hit points are wide in both precisions. */
+#pragma OPENCL FP_CONTRACT OFF /* a * b + c rounds twice, as on the host; fma() where we want one rounding */
+
+#if REAL_DOUBLE || HAS_DOUBLE
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+typedef double wide;
+typedef double4 wide4;
+#define WIDE_ROUNDING 0x1p-53
+#define WIDE_MIN DBL_MIN
+#define WIDE_MAX DBL_MAX
+#define WIDE_DOUBT 0x1p24 /* times the bound of arithmetic in pairs: below it, fewer than 24 bits are sure */
+#else
+typedef float wide;
+typedef float4 wide4;
+#define WIDE_ROUNDING 0x1p-24f
+#define WIDE_MIN FLT_MIN
+#define WIDE_MAX FLT_MAX
+#define WIDE_DOUBT 0x1p6f
+#endif
+
+#if REAL_DOUBLE
+typedef double real;
+typedef double2 real2;
+typedef double3 real3;
+typedef double4 real4;
+typedef double8 real8;
+#define REAL_ROUNDING 0x1p-53
+#define REAL_FLOOR 0x1p-900
+#define SHIFT_FLOOR 0x1p-100
+#else
+typedef float real;
+typedef float2 real2;
+typedef float3 real3;
+typedef float4 real4;
+typedef float8 real8;
+#define REAL_ROUNDING 0x1p-24f
+#define REAL_FLOOR 0x1p-120f
+#define SHIFT_FLOOR 0x1p-60f
+#endif
+
+#if REAL_DOUBLE || !HAS_DOUBLE
+#define TO_REAL4(x) (x)
+#else
+#define TO_REAL4(x) convert_float4(x)
+#endif
+
+/* Some functions the compiler would rather call; a call passes its vectors through memory. */
+#define INLINE static inline __attribute__((always_inline))
+#define NOINLINE static __attribute__((noinline))
+
+/* Is t wanted as exactly as `wide` can hold it? If not, plain arithmetic does, down to this share of its terms. */
+#define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
+#define PLAIN_DOUBT (wide)0x1p-20f

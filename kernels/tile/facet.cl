@@ -1,0 +1,140 @@
+/* A face that a window of the screen sees everywhere, shaded packet by packet, in registers: what is the same for all its pixels
+ * is worked out once. docs/algorithm.md, section 11. */
+#include "shared/skips.h"
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/counters.cl"
+#include "packet/shade.cl"
+#include "packet/camera.cl"
+#include "tile/frustum.cl"
+#include "tile/classify.cl"
+
+#if WHOLE_TILES
+
+/* A light that counts on a facet. */
+typedef struct FacetLight {
+    real at[3];                       /* told from the apex of the rays that see the facet */
+    real3 ambient, diffuse, specular; /* the material's colours in it */
+    bool reaches, shines;             /* at least some lanes; with a highlight */
+    const Mask *blocked;              /* packet by packet the lanes that it does not reach; NULL: none */
+} FacetLight;
+
+/* More lights than it has room for come in turns. */
+typedef struct Facet {
+    int face; /* -1: it is the background */
+    Camera camera;
+    real normal[3], sign, height, off; /* as sketch; the normal times sign is on the rays' side */
+    real eye[3];                       /* told from the apex */
+    bool along_ray;                    /* the viewer is where the ray comes from */
+    global const real *material;
+    real reflection, exponent;
+    uint asked, behind, ambient_only, dull; /* so many lights are asked for; are behind it; do not matter; make no highlight */
+    int light_count;
+    FacetLight lights[OUTLOOK_LIGHTS];
+} Facet;
+
+/* camera: its image after so many bounces. The lights are still to be added. */
+INLINE void facet_of(const Geometry *g, const Shading *s, const Whole *w, const Camera *camera, int bounces, Facet *f)
+{
+    f->face = w->face;
+    if (w->face < 0)
+        return;
+    global const wide *plane = g->planes + (size_t)w->face * PLANE_REALS;
+    f->camera = *camera;
+    for (int axis = 0; axis < 3; axis++) {
+        f->normal[axis] = (real)plane[axis];
+        f->eye[axis] = (real)(view_value(s, VIEW_EYE + axis) - camera->eye[axis]);
+    }
+    f->sign = w->with_normal ? -1 : 1;
+    f->height = sketch_height(g, w->face, camera->eye);
+    f->off = patch_off(g, w->face, camera);
+    f->along_ray = s->parameters->viewer_ray || bounces == 0;
+    f->material = s->materials + (size_t)face_material(g, w->face) * MATERIAL_REALS;
+    f->reflection = f->material[MATERIAL_REFLECTION];
+    f->exponent = f->material[MATERIAL_EXPONENT];
+    f->asked = f->behind = f->ambient_only = f->dull = 0;
+    f->light_count = 0;
+}
+
+/* Is a light to be asked for shadows on a face that is turned to it, or not? */
+INLINE bool asks_light(const Shading *s, global const real *light, bool facing)
+{
+    return wants_light(s, light) && (facing || !SKIPS(s->parameters, SKIP_LIGHT_BEHIND));
+}
+
+/* shade: how much of the facet lies in the light's shadow. blocked: where that is SHADE_SOME. */
+INLINE void facet_add_light(const Shading *s, global const real *light, bool facing, Shade shade, const Mask *blocked, Facet *f)
+{
+    f->behind += !facing && SKIPS(s->parameters, SKIP_LIGHT_BEHIND);
+    f->ambient_only += facing && !wants_light(s, light);
+    f->asked += asks_light(s, light, facing);
+    if (!facing)
+        shade = SHADE_ALL;
+    if (shade == SHADE_ALL && !s->parameters->shadow_ambient)
+        return;
+    FacetLight *l = f->lights + f->light_count++;
+    wide position[3];
+    light_position(light, position);
+    for (int axis = 0; axis < 3; axis++)
+        l->at[axis] = (real)(position[axis] - f->camera.eye[axis]);
+    l->ambient = coloured(f->material + MATERIAL_AMBIENT, light + LIGHT_AMBIENT);
+    l->diffuse = coloured(f->material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE);
+    l->specular = coloured(f->material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
+    l->reaches = shade != SHADE_ALL;
+    l->shines = makes_highlight(s, l->specular);
+    l->blocked = shade == SHADE_SOME ? blocked : 0;
+    f->dull += shade == SHADE_NONE && !l->shines;
+}
+
+/* Rays of a tile came to the facet. */
+INLINE void count_facet(const Facet *f, uint rays, Counters *counters)
+{
+    counters->kinds[COUNT_SKIPPED + SKIP_WHOLE_TILE] += rays;
+    if (f->face < 0)
+        return;
+    counters->kinds[COUNT_SHADOW] += rays * f->asked;
+    counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += rays * f->behind;
+    counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += rays * f->ambient_only;
+    counters->kinds[COUNT_SKIPPED + SKIP_HIGHLIGHT] += rays * f->dull;
+}
+
+INLINE Vec vec_of(const real *v) { return vec((Lanes)v[0], (Lanes)v[1], (Lanes)v[2]); }
+
+/* Where packet p's rays meet the facet. */
+INLINE Sketch sketch_facet(const Facet *f, const ScreenPlaces *places, int p, Vec *ahead)
+{
+    *ahead = vec_to_real(camera_direction(&f->camera, places, p));
+    return sketch(*ahead, (Lanes)f->height, (Lanes)f->off, vec_of(f->normal));
+}
+
+/* Adds the light that packet p's part of the facet sends, as `shade` has it, to `colour`, and the lanes that some light reaches to
+ * `lit`. False: a sketch is too rough. */
+INLINE bool shade_facet(const Shading *s, const Facet *f, const ScreenPlaces *places, int p, Mask active, Vec *colour, Mask *lit)
+{
+    Vec ahead, l;
+    Sketch drawn = sketch_facet(f, places, p, &ahead);
+    Vec normal = vec_scale((Lanes)f->sign, vec_of(f->normal)), v = vec_scale(-1 / drawn.length, ahead);
+    Lanes per_length, share;
+    if (!f->along_ray && !sketch_towards(&drawn, vec_of(f->eye), active, &v, &per_length, &share))
+        return false;
+    for (int i = 0; i < f->light_count; i++) {
+        const FacetLight *light = f->lights + i;
+        Vec ambient = vec((Lanes)light->ambient.x, (Lanes)light->ambient.y, (Lanes)light->ambient.z), sum = ambient;
+        Mask reaches = light->blocked ? active & ~light->blocked[p] : active;
+        if (light->reaches) {
+            if (!sketch_towards(&drawn, vec_of(light->at), active, &l, &per_length, &share))
+                return false;
+            sum = vec_add(sum, scale_colour(diffuse_of(l, normal), light->diffuse));
+            if (light->shines)
+                sum = vec_add(sum, scale_colour(highlight_of(l, v, normal, f->exponent), light->specular));
+            *lit |= reaches;
+        }
+        if (light->blocked)
+            sum = vec_select(reaches, sum, s->parameters->shadow_ambient ? ambient : vec(0, 0, 0));
+        *colour = vec_add(*colour, sum);
+    }
+    return true;
+}
+
+#endif

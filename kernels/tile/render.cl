@@ -1,0 +1,164 @@
+/* Paths through a tile, and the kernel `render`, which turns a block of pixels per work-item into bytes. */
+#include "shared/skips.h"
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/apex.cl"
+#include "packet/counters.cl"
+#include "packet/accel.cl"
+#include "packet/tree.cl"
+#include "packet/search.cl"
+#include "packet/shade.cl"
+#include "packet/camera.cl"
+#include "packet/picture.cl"
+#include "packet/paths.cl"
+#include "tile/frustum.cl"
+#include "tile/classify.cl"
+#include "tile/uniform_block.cl"
+#include "tile/uniform_tile.cl"
+#include "packet/scene.cl"
+
+/* What rays see that miss all faces. */
+INLINE void see_background(const Shading *s, const Mask *inside, Vec *sum, Counters *counters)
+{
+    Vec background = vec_row(s->view + VIEW_BACKGROUND);
+    EACH_PACKET(k) {
+        uint rays = mask_count(inside[k]);
+        sum[k] = vec_add(sum[k], background);
+        counters->kinds[COUNT_PRIMARY] += rays;
+        counters->kinds[COUNT_SKIPPED + SKIP_EMPTY_TILE] += rays;
+    }
+}
+
+/* An area that misses all faces. */
+INLINE void render_background(const Shading *s, const Area *area, uint rays, global uchar *rgb, Counters *counters)
+{
+    constant const Parameters *p = s->parameters;
+    Vec background = vec_row(s->view + VIEW_BACKGROUND), sum = vec(0, 0, 0);
+    int samples = p->grid * p->grid;
+    for (int i = 0; i < samples; i++)
+        sum = vec_add(sum, background);
+    Vec mean = samples > 1 ? vec(sum.x / samples, sum.y / samples, sum.z / samples) : sum;
+    for (int row = 0; row < area->rows; row += PACKET_ROWS)
+        for (int column = 0; column < area->columns; column += PACKET_COLUMNS)
+            store_packet(rgb, p, area->column + column, area->row + row, mean);
+    counters->kinds[COUNT_PRIMARY] += rays;
+    counters->kinds[COUNT_SKIPPED + SKIP_EMPTY_TILE] += rays;
+}
+
+/* The tile that begins there; rgb: band_rows * columns * 3 bytes. */
+INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Outlook *outlook,
+                        int first_column, int first_row, global uchar *rgb, Counters *counters)
+{
+    constant const Parameters *p = s->parameters;
+    Mask inside[PACKETS];
+    Vec sum[PACKETS];
+    EACH_PACKET(k) {
+        inside[k] = pixels_inside(p, first_column, first_row, k);
+        sum[k] = vec(0, 0, 0);
+    }
+    for (int j = 0; j < p->grid; j++)
+        for (int i = 0; i < p->grid; i++) {
+            ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
+            Window window = window_of_tile(p, &places, first_column, first_row);
+            CornerRays corners = camera_corners(camera, &window);
+            if (SKIPS(p, SKIP_EMPTY_TILE) && !is_told(outlook)) {
+                Bundle seen = bundle_of_corners(apex, &corners, 0);
+                if (misses_all(s->tree, &seen)) {
+                    see_background(s, inside, sum, counters);
+                    continue;
+                }
+            }
+            Path paths[PACKETS];
+            Ray rays[PACKETS];
+            EACH_PACKET(k) {
+                paths[k].active = inside[k];
+                counters->kinds[COUNT_PRIMARY] += mask_count(inside[k]);
+            }
+            int bounces = 0;
+#if WHOLE_TILES
+            Rest rest;
+            bool done = trace_whole(g, s, &places, &window, outlook, paths, rays, &bounces, &rest, counters);
+            const Rest *left = &rest;
+#else
+            EACH_PACKET(k) {
+                rays[k].origin = wide_vec((Wide)camera->eye[0], (Wide)camera->eye[1], (Wide)camera->eye[2]);
+                rays[k].direction = camera_direction(camera, &places, k);
+            }
+            begin_paths(paths, rays);
+            bool done = false;
+            const Rest *left = 0;
+#endif
+            if (!done) {
+                Bundle seen = bundle_of_corners(apex, &corners, 0);
+                trace_paths(g, s, camera->eye, apex, &seen, bounces, paths, rays, left, 0, counters);
+            }
+            EACH_PACKET(k)
+                sum[k] = vec_add(sum[k], paths[k].total);
+        }
+    store_tile(p, first_column, first_row, sum, rgb);
+}
+
+/* What the corners of an area tell of what it sees: not all of it, all of it, or that it is nothing. */
+typedef enum Tidings { TELLS_SOME, TELLS_ALL, TELLS_EMPTY } Tidings;
+
+/* parent: as look_out. outlook: filled but where it is empty, told: where all is told. */
+INLINE Tidings ask_corners(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Area *area,
+                           uint rays, const Outlook *parent, Outlook *outlook, Told *told, Counters *counters)
+{
+    Window window = window_of_area(s, area);
+    CornerRays corners = camera_corners(camera, &window);
+    Bundle seen = bundle_of_corners(apex, &corners, 0);
+    bool may_be_empty = SKIPS(s->parameters, SKIP_EMPTY_TILE) && !(parent && is_told(parent));
+    if (may_be_empty && misses_all(s->tree, &seen))
+        return TELLS_EMPTY;
+    return look_out(g, s, &window, rays, parent, outlook, counters) && tell(g, s, outlook, told) ? TELLS_ALL : TELLS_SOME;
+}
+
+/* Renders a block of tiles: at once if its corners tell all, or else quarter by quarter, and a quarter whose corners do not tell
+ * all tile by tile. */
+INLINE void render_block(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, int block, global uchar *rgb,
+                         Counters *counters)
+{
+    constant const Parameters *p = s->parameters;
+    Outlook outlooks[2]; /* the block's, its quarter's */
+    Told told;
+    for (int k = 0; k < BLOCK_AREAS; k++) {
+        Area area = area_of_block(p, block, k);
+        if (area.columns <= 0 || area.rows <= 0)
+            continue;
+        uint rays = (uint)(area.columns * area.rows) * (uint)(p->grid * p->grid);
+        Outlook *outlook = outlooks + (k > 0);
+        Tidings tidings = TELLS_SOME;
+        if (BLOCK_AREAS > 1) {
+            tidings = ask_corners(g, s, apex, camera, &area, rays, k > 0 ? outlooks : 0, outlook, &told, counters);
+            if (k == 0 && tidings == TELLS_SOME)
+                continue;
+        }
+        if (tidings == TELLS_EMPTY)
+            render_background(s, &area, rays, rgb, counters);
+        else
+            for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
+                for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
+                    if (tidings != TELLS_ALL || !render_told(s, &told, column, row, rgb, counters))
+                        render_tile(g, s, apex, camera, outlook, column, row, rgb, counters);
+        if (k == 0)
+            return;
+    }
+}
+
+/* One work-item per block of the band; surplus work-items do nothing. */
+kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+                   global const wide *planes, global const real *materials, global const real *lights,
+                   global const real *view, global uchar *rgb, volatile global uint *totals,
+                   global const float *tree_floats, global const int *tree_ints)
+{
+    Geometry g = {faces, edges, planes, parameters->face_count};
+    Tree tree = {tree_floats, tree_ints};
+    Shading s = {materials, lights, view, parameters, &tree};
+    Counters counters = {{0}};
+    Apex apex = apex_at_eye(&s);
+    Camera camera = camera_of(&s);
+    render_block(&g, &s, &apex, &camera, (int)get_global_id(0), rgb, &counters);
+    add_counters(totals, &counters);
+}

@@ -1,0 +1,124 @@
+/* Blocks whose corners have told all, to the last bounce and light: each packet of theirs goes its whole way by itself, in
+ * registers. It comes to what whole_tile.cl would, to the last bit. docs/algorithm.md, section 11. */
+#include "shared/skips.h"
+#include "shared/layout.h"
+#include "packet/lanes.cl"
+#include "packet/geometry.cl"
+#include "packet/counters.cl"
+#include "packet/shade.cl"
+#include "packet/camera.cl"
+#include "packet/picture.cl"
+#include "tile/frustum.cl"
+#include "tile/classify.cl"
+#include "tile/facet.cl"
+
+#if !WHOLE_TILES
+
+typedef int Told;
+
+INLINE bool tell(const Geometry *g, const Shading *s, const Outlook *o, Told *told) { return false; }
+INLINE bool render_told(const Shading *s, const Told *told, int column, int row, global uchar *rgb, Counters *counters)
+{
+    return false;
+}
+
+#else
+
+/* What a block sees, bounce by bounce. */
+typedef struct Told {
+    Facet facets[OUTLOOK_BOUNCES];
+    int count;
+} Told;
+
+/* False: not all is told. */
+NOINLINE bool tell(const Geometry *g, const Shading *s, const Outlook *o, Told *told)
+{
+    constant const Parameters *parameters = s->parameters;
+    Camera camera = camera_of(s);
+    for (int bounce = 0; bounce < o->bounces; bounce++) {
+        Facet *f = told->facets + bounce;
+        told->count = bounce + 1;
+        facet_of(g, s, o->faces + bounce, &camera, bounce, f);
+        if (f->face < 0)
+            return true;
+        if (parameters->light_count > OUTLOOK_LIGHTS)
+            return false;
+        bool lit = parameters->shadow_ambient;
+        for (int i = 0; i < parameters->light_count; i++) {
+            global const real *light = s->lights + i * LIGHT_REALS;
+            bool facing = o->facing[bounce] >> i & 1, clear = o->clear[bounce] >> i & 1, dark = o->dark[bounce] >> i & 1;
+            if (asks_light(s, light, facing) && !clear && !dark)
+                return false;
+            facet_add_light(s, light, facing, clear ? SHADE_NONE : SHADE_ALL, 0, f);
+            lit |= clear;
+        }
+        if (f->reflection == 0 || bounce == parameters->max_bounces || !lit)
+            return true;
+        camera = camera_in_mirror(g, f->face, &camera);
+    }
+    return false;
+}
+
+/* What a tile has counted: rays bounce by bounce, and those that ended because what was to come is too weak. */
+typedef struct ToldCounts {
+    uint rays[OUTLOOK_BOUNCES], weak;
+} ToldCounts;
+
+/* Follows a packet's rays. False: a sketch is too rough. */
+INLINE bool trace_told(const Shading *s, const Told *told, const ScreenPlaces *places, int p, Mask active, Vec *total,
+                       ToldCounts *counts)
+{
+    real weight = 1;
+    *total = vec(0, 0, 0);
+    for (int bounce = 0;; bounce++) {
+        const Facet *f = told->facets + bounce;
+        counts->rays[bounce] += mask_count(active);
+        Vec colour = f->face < 0 ? vec_row(s->view + VIEW_BACKGROUND) : vec(0, 0, 0);
+        Mask lit = (Mask)0;
+        if (f->face >= 0 && !shade_facet(s, f, places, p, active, &colour, &lit))
+            return false;
+        *total = vec_select(active, vec_add(*total, vec_scale((Lanes)weight, colour)), *total);
+        if (bounce + 1 == told->count)
+            return true;
+        weight *= f->reflection;
+        Mask weak = active & too_weak(s, *total, (Lanes)weight);
+        counts->weak += mask_count(weak);
+        active &= ~weak;
+        if (!ANY(active))
+            return true;
+    }
+}
+
+/* Renders a tile of such a block; rgb: as render_tile. False: a sketch is too rough, and nothing is done. */
+NOINLINE bool render_told(const Shading *s, const Told *told, int first_column, int first_row, global uchar *rgb,
+                          Counters *counters)
+{
+    constant const Parameters *p = s->parameters;
+    Vec sum[PACKETS];
+    EACH_PACKET(k)
+        sum[k] = vec(0, 0, 0);
+    ToldCounts counts = {{0}, 0};
+    for (int j = 0; j < p->grid; j++)
+        for (int i = 0; i < p->grid; i++) {
+            ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
+            EACH_PACKET(k) {
+                Mask inside = pixels_inside(p, first_column, first_row, k);
+                Vec total;
+                if (!ANY(inside))
+                    continue;
+                if (!trace_told(s, told, &places, k, inside, &total, &counts))
+                    return false;
+                sum[k] = vec_add(sum[k], total);
+            }
+        }
+    store_tile(p, first_column, first_row, sum, rgb);
+    counters->kinds[COUNT_PRIMARY] += counts.rays[0];
+    counters->kinds[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += counts.weak;
+    for (int bounce = 0; bounce < told->count; bounce++) {
+        counters->kinds[COUNT_REFLECTION] += bounce > 0 ? counts.rays[bounce] : 0;
+        count_facet(told->facets + bounce, counts.rays[bounce], counters);
+    }
+    return true;
+}
+
+#endif

@@ -1,0 +1,13 @@
+/* Arrays that grow: geometrically, and with every size checked before it can overflow. */
+#ifndef RECTRAY_ARRAY_H
+#define RECTRAY_ARRAY_H
+
+#include "base/error.h"
+
+#include <stddef.h>
+
+/* Makes room for one item more: returns the array, moved where needed, for `count` + 1 items of `size` bytes.
+ * NULL with ERROR_SYSTEM when there is no memory, or no int, for them; the old array then stays as it was. */
+void *array_grown(void *items, int count, int *capacity, size_t size, const char *what, Error *error);
+
+#endif

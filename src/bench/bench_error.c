@@ -1,0 +1,269 @@
+/* Time against error. To add a choice, see list_choices. */
+#include "bench/bench_error.h"
+
+#include "bench/bench_truth.h"
+#include "reader/scene_json.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const int GRIDS[] = {1, 2, 3, 4, 6, 8, 12, 16};
+enum { GRID_COUNT = sizeof GRIDS / sizeof GRIDS[0], BASE_GRID = 4, PIXELS = 160 * 120, CAUSE_GRID = 16 };
+
+#define LONGEST_MS 5000.0 /* a choice that is expected to take longer is left out */
+#define REPEAT_MS 1000.0  /* one that takes longer is run once */
+#define EQUAL 0.01
+
+/* --- The choices --- */
+
+static const char *accel_word(AccelKind accel)
+{
+    static const char *const words[] = {"auto", "none", "kdtree", "bvh"};
+    return words[accel];
+}
+
+static ErrorChoice *add(BenchError *result, ErrorSeries series, int grid)
+{
+    assert(result->choice_count < ERROR_MAX_CHOICES);
+    ErrorChoice *choice = &result->choices[result->choice_count++];
+    *choice = (ErrorChoice){.series = series, .grid = grid, .bounces = result->bounces, .better = -1};
+    return choice;
+}
+
+/* Every grid; adaptive, there is nothing to refine in the first. */
+static void add_grids(BenchError *result, ErrorSeries series, Backend backend, Precision precision, const char *what)
+{
+    bool adaptive = series >= SERIES_ADAPTIVE;
+    for (int i = adaptive; i < GRID_COUNT; i++) {
+        ErrorChoice *choice = add(result, series, GRIDS[i]);
+        choice->backend = backend;
+        choice->precision = precision;
+        choice->adaptive = adaptive;
+        snprintf(choice->name, sizeof choice->name, "%s, %s %d", what, adaptive ? "adaptive" : "grid", GRIDS[i]);
+    }
+}
+
+static void list_choices(BenchError *result, bool mirrors)
+{
+    add_grids(result, SERIES_FLOAT, BACKEND_OPENCL, PRECISION_FLOAT, "float");
+    add_grids(result, SERIES_DOUBLE, BACKEND_OPENCL, PRECISION_DOUBLE, "double");
+    add_grids(result, SERIES_REFERENCE, BACKEND_REFERENCE, PRECISION_DOUBLE, "reference");
+    add_grids(result, SERIES_ADAPTIVE, BACKEND_OPENCL, PRECISION_FLOAT, "float");
+    add_grids(result, SERIES_ADAPTIVE_DOUBLE, BACKEND_OPENCL, PRECISION_DOUBLE, "double");
+    add_grids(result, SERIES_ADAPTIVE_REFERENCE, BACKEND_REFERENCE, PRECISION_DOUBLE, "reference");
+    for (int bounces = 0; mirrors && bounces < result->bounces; bounces += bounces < 4 ? 1 : bounces / 2) {
+        ErrorChoice *choice = add(result, SERIES_BOUNCES, BASE_GRID);
+        choice->bounces = bounces;
+        snprintf(choice->name, sizeof choice->name, "float, grid %d, %d bounce%s", BASE_GRID, bounces,
+                 bounces == 1 ? "" : "s");
+    }
+    for (AccelKind accel = ACCEL_NONE; accel <= ACCEL_BVH; accel++) {
+        ErrorChoice *choice = add(result, SERIES_ACCEL, BASE_GRID);
+        choice->accel = accel;
+        snprintf(choice->name, sizeof choice->name, "float, grid %d, accel %s", BASE_GRID, accel_word(accel));
+    }
+}
+
+/* --- Measuring --- */
+
+static bool trace(const ErrorChoice *choice, const Scene *scene, const BenchPlan *plan, BenchPicture *picture,
+                  Error *error)
+{
+    Scene changed = *scene;
+    RenderSettings settings = plan->settings;
+    changed.grid = choice->grid;
+    changed.adaptive = choice->adaptive;
+    changed.shading.max_bounces = choice->bounces;
+    settings.precision = choice->precision;
+    if (choice->accel != ACCEL_AUTO)
+        settings.accel = choice->accel;
+    return bench_picture(picture, &changed, choice->backend, &settings, error);
+}
+
+/* What a choice should take, from the coarser one of its series before it; 0 where nothing is known. */
+static double expected_ms(const BenchError *result, int index)
+{
+    const ErrorChoice *choice = &result->choices[index], *before = choice - 1;
+    if (index == 0 || before->series != choice->series || before->grid >= choice->grid)
+        return 0;
+    return before->ms * choice->grid * choice->grid / (before->grid * before->grid);
+}
+
+static bool measure_error(BenchError *result, int index, const Scene *scene, const BenchTruth *truth,
+                          const BenchPlan *plan, Error *error)
+{
+    ErrorChoice *choice = &result->choices[index];
+    BenchPicture picture = {0};
+    choice->ms = expected_ms(result, index);
+    if (choice->ms > LONGEST_MS)
+        return true;
+    bool ok = trace(choice, scene, plan, &picture, error);
+    if (ok) {
+        choice->runs = 1;
+        choice->ms = picture.report.trace_ms;
+        choice->rays = picture.report.rays;
+        choice->error = bench_difference(&picture, &truth->picture);
+    }
+    bench_picture_free(&picture);
+    return ok;
+}
+
+typedef double Times[BENCH_MAX_REPEATS];
+
+static bool measure_times(BenchError *result, const Scene *scene, const BenchPlan *plan, Times *times, Error *error)
+{
+    for (int round = 0; round < plan->repeats; round++)
+        for (int i = 0; i < result->choice_count; i++) {
+            ErrorChoice *choice = &result->choices[i];
+            BenchPicture picture = {0};
+            if (choice->runs == 0 || choice->ms > REPEAT_MS)
+                continue;
+            bool ok = trace(choice, scene, plan, &picture, error);
+            times[i][round] = picture.report.trace_ms;
+            bench_picture_free(&picture);
+            if (!ok)
+                return false;
+        }
+    for (int i = 0; i < result->choice_count; i++)
+        if (result->choices[i].runs > 0 && result->choices[i].ms <= REPEAT_MS) {
+            result->choices[i].ms = bench_median(times[i], plan->repeats);
+            result->choices[i].runs = plan->repeats;
+        }
+    return true;
+}
+
+/* Errors within EQUAL of one another count as equal, so that a choice is not on the front for its last digits. */
+static bool is_better(const ErrorChoice *a, const ErrorChoice *b)
+{
+    if (a->runs == 0 || b->runs == 0)
+        return false;
+    return (a->ms < b->ms && a->error.rmse <= b->error.rmse * (1 + EQUAL)) ||
+           (a->ms == b->ms && a->error.rmse < b->error.rmse);
+}
+
+/* Finds the Pareto front; a dominated choice names the most accurate of those that are better, and of them the fastest. */
+static void find_front(BenchError *result)
+{
+    for (int i = 0; i < result->choice_count; i++) {
+        const ErrorChoice *best = NULL;
+        for (int k = 0; k < result->choice_count; k++) {
+            const ErrorChoice *other = &result->choices[k];
+            if (is_better(other, &result->choices[i]) &&
+                (!best || other->error.rmse < best->error.rmse * (1 - EQUAL) ||
+                 (other->error.rmse <= best->error.rmse * (1 + EQUAL) && other->ms < best->ms)))
+                best = other;
+        }
+        result->choices[i].better = best ? (int)(best - result->choices) : -1;
+    }
+}
+
+/* --- Causes --- */
+
+enum { PLAIN, BYTES, EXACT, SHALLOW, DEEP, PICTURES };
+
+static bool trace_causes(BenchPicture *pictures, const Scene *scene, const BenchPlan *plan, Error *error)
+{
+    Scene whole = *scene;
+    RenderSettings plain = plan->settings, exact = plan->settings;
+    whole.shading.max_bounces = SCENE_MAX_BOUNCES;
+    plain.precision = PRECISION_FLOAT;
+    exact.precision = PRECISION_DOUBLE;
+    return bench_picture(&pictures[PLAIN], scene, BACKEND_OPENCL, &plain, error) &&
+           bench_picture(&pictures[BYTES], scene, BACKEND_OPENCL, &plain, error) &&
+           bench_picture(&pictures[EXACT], scene, BACKEND_OPENCL, &exact, error) &&
+           bench_picture_fine(&pictures[SHALLOW], scene, CAUSE_GRID, &exact, error) &&
+           bench_picture_fine(&pictures[DEEP], &whole, CAUSE_GRID, &exact, error);
+}
+
+static bool find_causes(ErrorCauses *causes, const Scene *scene, const BenchTruth *truth, const BenchPlan *plan,
+                        Error *error)
+{
+    BenchPicture pictures[PICTURES] = {{0}};
+    bool ok = trace_causes(pictures, scene, plan, error);
+    if (ok) {
+        BenchPicture *deep = &pictures[DEEP];
+        bench_picture_quantise(&pictures[BYTES]);
+        causes->arithmetic = bench_difference(&pictures[PLAIN], &pictures[EXACT]).rmse;
+        causes->sampling = bench_difference(&pictures[EXACT], &truth->picture).rmse;
+        causes->truncation = bench_difference(&pictures[SHALLOW], deep).rmse;
+        causes->output = bench_difference(&pictures[BYTES], &pictures[PLAIN]).rmse;
+        /* The truth of 64 bounces: that of the scene's, and what the others add. */
+        for (size_t i = 0; i < (size_t)deep->columns * (size_t)deep->rows * 3; i++)
+            deep->rgb[i] += truth->picture.rgb[i] - pictures[SHALLOW].rgb[i];
+        causes->all = bench_difference(&pictures[BYTES], deep).rmse;
+    }
+    for (int i = 0; i < PICTURES; i++)
+        bench_picture_free(&pictures[i]);
+    return ok;
+}
+
+/* --- All of it --- */
+
+/* The scene's own shape in PIXELS pixels or so. */
+static void fit_screen(BenchScene *wanted, const Screen *screen)
+{
+    double shrink = sqrt(PIXELS / ((double)screen->columns * screen->rows));
+    wanted->columns = (int)fmax(1, floor(screen->columns * shrink + 0.5));
+    wanted->rows = (int)fmax(1, floor(screen->rows * shrink + 0.5));
+}
+
+bool bench_error_settle(BenchScene *wanted, Error *error)
+{
+    Scene scene;
+    if (!scene_load(&scene, wanted->path, error))
+        return false;
+    if (wanted->columns == 0)
+        fit_screen(wanted, &scene.screen);
+    if (wanted->grid == 0)
+        wanted->grid = scene.grid;
+    scene_free(&scene);
+    return true;
+}
+
+/* Does any ray leave a mirror? */
+static bool reflects(const Scene *scene)
+{
+    for (int i = 0; i < scene->face_count; i++)
+        if (scene->materials[scene->faces[i].material].reflection > 0)
+            return true;
+    return false;
+}
+
+static bool measure(BenchError *result, const Scene *scene, const BenchPlan *plan, Times *times, Error *error)
+{
+    BenchTruth truth;
+    bool ok = bench_truth(&truth, scene, &plan->settings, error);
+    result->truth_error = truth.own_error;
+    result->truth_check = truth.check;
+    for (int i = 0; i < result->choice_count && ok; i++)
+        ok = measure_error(result, i, scene, &truth, plan, error);
+    ok = ok && measure_times(result, scene, plan, times, error) &&
+         find_causes(&result->causes, scene, &truth, plan, error);
+    bench_truth_free(&truth);
+    if (ok)
+        find_front(result);
+    return ok;
+}
+
+bool bench_error(BenchError *result, const BenchScene *wanted, const BenchPlan *plan, Error *error)
+{
+    Scene scene;
+    *result = (BenchError){.scene = *wanted};
+    if (!scene_load(&scene, wanted->path, error))
+        return false;
+    scene.screen.columns = wanted->columns;
+    scene.screen.rows = wanted->rows;
+    scene.adaptive = scene.adaptive && scene.grid == wanted->grid;
+    scene.grid = wanted->grid;
+    result->adaptive = scene.adaptive;
+    result->faces = scene.face_count;
+    result->bounces = scene.shading.max_bounces;
+    list_choices(result, reflects(&scene));
+    Times *times = malloc(ERROR_MAX_CHOICES * sizeof *times);
+    bool ok = times ? measure(result, &scene, plan, times, error) : error_memory(error, "the times");
+    free(times);
+    scene_free(&scene);
+    return ok;
+}

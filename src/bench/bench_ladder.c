@@ -1,0 +1,28 @@
+/* The ladder of scenes. */
+#include "bench/bench_ladder.h"
+
+#include <stdio.h>
+
+const BenchRung bench_ladder[] = {
+    {"original", "scenes/original.json", NULL, 0, true},
+    {"cornell", "scenes/cornell.json", NULL, 0, true},
+    {"mirrors", "scenes/mirrors.json", NULL, 0, true},
+    {"gallery", "scenes/gallery.json", NULL, 0, true},
+    {"menger-2", NULL, "menger", 2, true},
+    {"menger-3", NULL, "menger", 3, false},
+    {"menger-4", NULL, "menger", 4, false},
+    {"city-1k", NULL, "city", 1000, true},
+    {"city-20k", NULL, "city", 20000, false},
+    {"city-200k", NULL, "city", 200000, false},
+    {0},
+};
+
+bool bench_rung(const BenchRung *rung, const BenchFolder *folder, BenchScene *scene, Error *error)
+{
+    *scene = (BenchScene){.columns = 0};
+    snprintf(scene->name, sizeof scene->name, "%s", rung->name);
+    if (!rung->path)
+        return bench_generate(scene, rung->kind, rung->size, folder, error);
+    snprintf(scene->path, sizeof scene->path, "%s", rung->path);
+    return true;
+}

@@ -1,8 +1,0 @@
-/* The time, for measuring how long something takes. Floor 0. */
-#ifndef RECTRAY_CLOCK_H
-#define RECTRAY_CLOCK_H
-
-/* Milliseconds since some fixed moment; never goes back, whatever is done to the system's clock. */
-double clock_ms(void);
-
-#endif

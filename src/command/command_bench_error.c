@@ -1,0 +1,105 @@
+/* rectray bench error: for each choice that the renderer offers, its time and its distance from the truth. */
+#include "bench/bench_document.h"
+#include "bench/bench_error_report.h"
+#include "bench/bench_ladder.h"
+#include "bench/bench_report.h"
+#include "command/command.h"
+#include "base/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define MARK_BEGIN "<!-- bench error: made by `make bench-error`, from here -->\n"
+#define MARK_END "<!-- bench error: to here -->\n"
+
+static bool measure_scene(BenchErrors *errors, BenchScene scene, const Options *options, Error *error)
+{
+    BenchError *result = &errors->scenes[errors->count++];
+    if (!options->quiet)
+        fprintf(stderr, "measuring %s\n", scene.name);
+    scene.columns = options->columns;
+    scene.rows = options->rows;
+    scene.grid = options->grid;
+    return bench_error_settle(&scene, error) && bench_error(result, &scene, &errors->plan, error) &&
+           (!options->folder || bench_error_write_csv(result, &errors->plan.folder, error));
+}
+
+static bool measure_ladder(BenchErrors *errors, const Options *options, Error *error)
+{
+    for (const BenchRung *rung = bench_ladder; rung->name; rung++) {
+        BenchScene scene;
+        if (rung->small &&
+            !(bench_rung(rung, &errors->plan.folder, &scene, error) && measure_scene(errors, scene, options, error)))
+            return false;
+    }
+    return true;
+}
+
+/* The scene of a path: its name is the file's without its extension. */
+static bool scene_of(const char *path, BenchScene *scene, Error *error)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    int length = (int)(dot && dot != name ? dot - name : (long)strlen(name));
+    *scene = (BenchScene){.columns = 0};
+    if (strlen(path) >= sizeof scene->path || length >= BENCH_NAME)
+        return error_set(error, ERROR_USAGE, "the path is too long: %s", path);
+    snprintf(scene->name, sizeof scene->name, "%.*s", length, name);
+    text_make_utf8(scene->name);
+    snprintf(scene->path, sizeof scene->path, "%s", path);
+    return true;
+}
+
+static bool measure(BenchErrors *errors, const Options *options, Error *error)
+{
+    if (options->ladder)
+        return measure_ladder(errors, options, error);
+    for (int i = 1; i < options->operand_count; i++) {
+        BenchScene scene;
+        if (!scene_of(options->operands[i], &scene, error) || !measure_scene(errors, scene, options, error))
+            return false;
+    }
+    return true;
+}
+
+static bool measure_and_report(BenchErrors *errors, const Options *options, Error *error)
+{
+    BenchDocument document;
+    errors->load = bench_load();
+    bool done =
+        bench_document_read(&document, options->output, MARK_BEGIN, MARK_END, error) && measure(errors, options, error);
+    if (done && document.text)
+        done = bench_document_write(&document, bench_error_print_markdown, errors, error);
+    else if (done)
+        bench_error_print_markdown(stdout, errors);
+    bench_document_free(&document);
+    return done;
+}
+
+static bool check_options(const Options *options, Error *error)
+{
+    if (options->operand_count < 2 && !options->ladder)
+        return error_set(error, ERROR_USAGE,
+                         "bench error needs scenes to measure, such as `rectray bench error scenes/cornell.json`; or "
+                         "--ladder, for the small ones of the documentation");
+    if (options->precision_given || options->json)
+        return error_set(error, ERROR_USAGE, "bench error takes no --%s: %s", options->json ? "json" : "precision",
+                         options->json ? "with --folder it writes CSV" : "it measures both");
+    return true;
+}
+
+bool command_bench_error(const Options *options, Error *error)
+{
+    if (!check_options(options, error))
+        return false;
+    BenchErrors *errors = calloc(1, sizeof *errors);
+    if (!errors)
+        return error_memory(error, "the measurements");
+    errors->plan = (BenchPlan){.settings = options->settings, .repeats = options->repeats > 0 ? options->repeats : 5};
+    bool done = bench_folder_open(&errors->plan.folder, options->folder, error);
+    if (done) {
+        done = measure_and_report(errors, options, error);
+        bench_folder_close(&errors->plan.folder);
+    }
+    free(errors);
+    return done;
+}

@@ -1,0 +1,264 @@
+/* rectray cast: rays in, one a line, their nearest hits out as CSV. Rays are read, cast and written in batches, so that
+ * any number of them passes through, and a device has enough to do at once. */
+#include "trace/accel.h"
+#include "base/clock.h"
+#include "command/command.h"
+#include "opencl/opencl.h"
+#include "trace/reference.h"
+#include "reader/scene_json.h"
+#include "command/stats.h"
+#include "base/words.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A component of a ray is 0 or between these, so that no product of three leaves a double's range (exact.h), and 1e12
+ * at most from the scene's centre, as the scene's own coordinates are. */
+static const double SMALLEST = 1e-60, LARGEST_DIRECTION = 1e60, LARGEST_POSITION = 1e12;
+
+enum { BATCH = 131072 };
+
+typedef struct Caster {
+    const Options *options;
+    const Scene *scene;
+    Accel accel; /* the reference's; the device keeps its own */
+    TextLines lines;
+    double *world; /* BATCH rays as they were read: origin and direction, six numbers each */
+    double *local; /* the same as they are traced: from the scene's centre, the direction scaled */
+    CastHit *hits;
+    long long first; /* number of the batch's first ray, from 0 */
+    Stats stats;
+} Caster;
+
+/* --- Reading --- */
+
+static bool component_in_range(double x, double largest)
+{
+    return x == 0 || (fabs(x) >= SMALLEST && fabs(x) <= largest);
+}
+
+static bool read_ray(const TextLines *lines, char *line, Vec3 centre, double ray[6], Error *error)
+{
+    int count = 0;
+    if (!word_numbers(lines, line, ray, 6, &count, error))
+        return false;
+    if (count < 6)
+        return word_fail(lines, error, "%d numbers where a ray has six: ox oy oz dx dy dz", count);
+    if (ray[3] == 0 && ray[4] == 0 && ray[5] == 0)
+        return word_fail(lines, error, "the direction is zero");
+    const double centres[3] = {centre.x, centre.y, centre.z};
+    for (int i = 0; i < 3; i++) {
+        if (!component_in_range(ray[i] - centres[i], LARGEST_POSITION))
+            return word_fail(
+                lines, error,
+                "the origin is not within %g units of the scene's centre, or a coordinate is not 0 but below %g",
+                LARGEST_POSITION, SMALLEST);
+        if (!component_in_range(ray[3 + i], LARGEST_DIRECTION))
+            return word_fail(lines, error, "a component of the direction is neither 0 nor from %g to %g", SMALLEST,
+                             LARGEST_DIRECTION);
+    }
+    return true;
+}
+
+/* Reads up to BATCH rays; their number, or -1 with the error filled. Empty lines are skipped. */
+static long read_batch(Caster *caster, Error *error)
+{
+    long count = 0;
+    while (count < BATCH) {
+        char *line = text_next_line(&caster->lines, error);
+        if (!line)
+            return error->kind == ERROR_NONE ? count : -1;
+        if (line[strspn(line, " \t\v\f")] == '\0')
+            continue;
+        if (!read_ray(&caster->lines, line, caster->scene->centre, caster->world + 6 * count, error))
+            return -1;
+        count++;
+    }
+    return count;
+}
+
+/* --- Casting --- */
+
+/* Directions are divided by a power of two, which is exact, so that their largest component is in [0.5, 1): floats hold it. */
+static int direction_exponent(const double *ray)
+{
+    int exponent;
+    frexp(fmax(fabs(ray[3]), fmax(fabs(ray[4]), fabs(ray[5]))), &exponent);
+    return exponent;
+}
+
+static void localise(const Caster *caster, long count)
+{
+    const Vec3 centre = caster->scene->centre;
+    for (long i = 0; i < count; i++) {
+        const double *world = caster->world + 6 * i;
+        double *local = caster->local + 6 * i;
+        int exponent = direction_exponent(world);
+        local[0] = world[0] - centre.x;
+        local[1] = world[1] - centre.y;
+        local[2] = world[2] - centre.z;
+        for (int k = 3; k < 6; k++)
+            local[k] = ldexp(world[k], -exponent);
+    }
+}
+
+static Vec3 vec3_at(const double *numbers)
+{
+    return vec3(numbers[0], numbers[1], numbers[2]);
+}
+
+static void cast_reference(const Caster *caster, long count, RenderReport *report)
+{
+    double start = clock_ms();
+    Tracer tracer = {.scene = caster->scene, .accel = &caster->accel, .report = report};
+    for (long i = 0; i < count; i++) {
+        const double *local = caster->local + 6 * i;
+        Ray ray = {vec3_at(local), vec3_at(local + 3)};
+        caster->hits[i] = reference_nearest(&tracer, ray, -1);
+    }
+    report->trace_ms = clock_ms() - start;
+    report->lanes = 1;
+    report->accel = caster->accel.kind;
+    strcpy(report->device, "reference");
+}
+
+static bool build_accel(Caster *caster, Error *error)
+{
+    const Options *options = caster->options;
+    if (options->backend != BACKEND_REFERENCE)
+        return true;
+    double start = clock_ms();
+    bool built = accel_build(&caster->accel, caster->scene, options->settings.accel, options->settings.threads, error);
+    caster->stats.report.build_ms = clock_ms() - start;
+    return built;
+}
+
+/* Adds a batch's report to the whole's, which keeps the last one's names. */
+static void add_report(RenderReport *whole, const RenderReport *batch)
+{
+    RenderReport sum = *batch;
+    sum.build_ms += whole->build_ms;
+    sum.upload_ms += whole->upload_ms;
+    sum.device_ms += whole->device_ms;
+    sum.compile_ms += whole->compile_ms;
+    sum.trace_ms += whole->trace_ms;
+    sum.readback_ms += whole->readback_ms;
+    sum.box_tests += whole->box_tests;
+    sum.face_tests += whole->face_tests;
+    *whole = sum;
+}
+
+static bool cast_batch(Caster *caster, long count, Error *error)
+{
+    RenderReport report = {0};
+    localise(caster, count);
+    if (caster->options->backend == BACKEND_REFERENCE)
+        cast_reference(caster, count, &report);
+    else if (!opencl_cast(caster->scene, &caster->options->settings, caster->local, count, caster->hits, &report,
+                          error))
+        return false;
+    add_report(&caster->stats.report, &report);
+    caster->stats.report.rays.primary = (uint64_t)(caster->first + count);
+    return true;
+}
+
+/* --- Writing --- */
+
+/* The face's unit normal on the side that the ray starts from. */
+static Vec3 normal_at(const Scene *scene, int face, Vec3 origin)
+{
+    Vec3 normal = scene->planes[face].normal;
+    bool front = plane_side(&scene->faces[face], &scene->planes[face], origin) > 0;
+    return front ? normal : vec3_sub(vec3(0, 0, 0), normal); /* a difference, for no one likes to read -0 */
+}
+
+static void write_hit(const Caster *caster, long i)
+{
+    CastHit hit = caster->hits[i];
+    long long number = caster->first + i;
+    if (hit.face < 0) {
+        printf("%lld,-1,,,,,,,\n", number);
+        return;
+    }
+    const double *world = caster->world + 6 * i;
+    double t = ldexp(hit.t, -direction_exponent(world));
+    Vec3 p = vec3_add(vec3_at(world), vec3_scale(t, vec3_at(world + 3)));
+    Vec3 n = normal_at(caster->scene, hit.face, vec3_at(caster->local + 6 * i));
+    printf("%lld,%d,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", number, caster->scene->faces[hit.face].number, t, p.x,
+           p.y, p.z, n.x, n.y, n.z);
+}
+
+static bool write_batch(Caster *caster, long count, Error *error)
+{
+    double start = clock_ms();
+    for (long i = 0; i < count && !ferror(stdout); i++)
+        write_hit(caster, i);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        return error_set(error, ERROR_SYSTEM, "cannot write to standard output: %s", strerror(errno));
+    caster->first += count;
+    caster->stats.encode_ms += clock_ms() - start;
+    return true;
+}
+
+/* --- The command --- */
+
+static bool cast_all(Caster *caster, Error *error)
+{
+    printf("ray,face,t,px,py,pz,nx,ny,nz\n");
+    for (;;) {
+        double start = clock_ms();
+        long count = read_batch(caster, error);
+        caster->stats.parse_ms += clock_ms() - start;
+        if (count <= 0)
+            return count == 0;
+        if (!cast_batch(caster, count, error) || !write_batch(caster, count, error))
+            return false;
+    }
+}
+
+/* Rays may come from a pipe, so this opens more than text_open_lines would. */
+static bool open_rays(Caster *caster, Error *error)
+{
+    const char *path = caster->options->rays;
+    bool from_stdin = !path || strcmp(path, "-") == 0;
+    caster->lines = (TextLines){.path = from_stdin ? "standard input" : path};
+    caster->lines.file = from_stdin ? stdin : fopen(path, "rb");
+    if (!caster->lines.file)
+        return text_fail_errno(path, "cannot be opened", error);
+    caster->lines.buffer = malloc(TEXT_LINE_MAX + 2);
+    caster->world = malloc(6 * sizeof *caster->world * BATCH);
+    caster->local = malloc(6 * sizeof *caster->local * BATCH);
+    caster->hits = malloc(BATCH * sizeof *caster->hits);
+    return caster->lines.buffer && caster->world && caster->local && caster->hits ? true
+                                                                                  : error_memory(error, "the rays");
+}
+
+static void close_rays(Caster *caster)
+{
+    text_close_lines(&caster->lines);
+    free(caster->world);
+    free(caster->local);
+    free(caster->hits);
+}
+
+bool command_cast(const Options *options, Error *error)
+{
+    double start = clock_ms();
+    Scene scene;
+    if (!scene_load(&scene, options->operands[0], error))
+        return false;
+    options_note_unused(options);
+    Caster caster = {.options = options, .scene = &scene};
+    caster.stats = stats_begin(&scene, options->backend, options->settings.precision);
+    caster.stats.parse_ms = clock_ms() - start;
+    bool done = open_rays(&caster, error) && build_accel(&caster, error) && cast_all(&caster, error);
+    caster.stats.total_ms = clock_ms() - start;
+    if (done) /* stdout holds the hits */
+        done = stats_print(stderr, options->stats, &caster.stats, error);
+    close_rays(&caster);
+    accel_free(&caster.accel);
+    scene_free(&scene);
+    return done;
+}

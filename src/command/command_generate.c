@@ -1,0 +1,32 @@
+/* rectray generate: writes a seeded scene of a given size, as text that goes out while it is made. */
+#include "command/command.h"
+#include "reader/generate.h"
+#include "base/output.h"
+
+#include <string.h>
+
+static bool write_file(const SceneKind *kind, const Options *options, Error *error)
+{
+    Output output;
+    if (!output_open(&output, options->output, "the scene", error))
+        return false;
+    if (scene_generate(kind, output.file, options->scene_size, (uint64_t)options->seed, error))
+        return output_commit(&output, error);
+    output_abort(&output);
+    return false;
+}
+
+bool command_generate(const Options *options, Error *error)
+{
+    const SceneKind *kind = scene_kind_find(options->operands[0], error);
+    if (!kind)
+        return false;
+    if (options->scene_size < 1)
+        return error_set(error, ERROR_USAGE, "generate %s needs --size N: %s", kind->name, kind->size_means);
+    if (options->scene_size > kind->max_size)
+        return error_set(error, ERROR_USAGE, "--size '%d': generate %s expects %s", options->scene_size, kind->name,
+                         kind->size_means);
+    if (options->output && strcmp(options->output, "-") != 0)
+        return write_file(kind, options, error);
+    return scene_generate(kind, stdout, options->scene_size, (uint64_t)options->seed, error);
+}

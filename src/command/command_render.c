@@ -1,0 +1,171 @@
+/* rectray render: a scene file in, a picture out. The backend hands on bands of rows; each is encoded at once, so
+ * that no more than a band of the picture is ever in memory. */
+#include "base/clock.h"
+#include "command/command.h"
+#include "picture/image.h"
+#include "picture/map.h"
+#include "opencl/opencl.h"
+#include "base/output.h"
+#include "command/progress.h"
+#include "trace/reference_render.h"
+#include "reader/scene_json.h"
+#include "command/scene_override.h"
+#include "command/stats.h"
+#include "base/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What stands at the receiving end of the bands. */
+typedef struct Painter {
+    ImageWriter *writer;
+    Progress progress;
+    double encode_ms;
+    int rows; /* of the whole picture */
+} Painter;
+
+static bool paint_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
+                       Error *error)
+{
+    Painter *painter = user;
+    double start = clock_ms();
+    bool ok = image_writer_rows(painter->writer, rgb, rows, error);
+    painter->encode_ms += clock_ms() - start;
+    const RayCounts *rays = &so_far->rays;
+    progress_step(&painter->progress, (double)(first_row + rows) / painter->rows,
+                  rays->primary + rays->shadow + rays->reflection,
+                  so_far->trace_ms + so_far->readback_ms + painter->encode_ms);
+    return ok;
+}
+
+/* The scene's name with ".png" for its extension, in the working directory. The caller frees it. */
+static char *default_output(const char *scene_path, Error *error)
+{
+    const char *slash = strrchr(scene_path, '/');
+    const char *name = slash ? slash + 1 : scene_path;
+    const char *dot = strrchr(name, '.');
+    int length = (int)(dot && dot != name ? dot - name : (long)strlen(name));
+    size_t size = (size_t)length + sizeof ".png";
+    char *output = malloc(size);
+    if (output)
+        snprintf(output, size, "%.*s.png", length, name);
+    else
+        error_memory(error, "the picture's name");
+    return output;
+}
+
+static bool spare_scene(const char *scene_path, const char *output, Error *error)
+{
+    if (output_replaces(output, scene_path))
+        return error_set(error, ERROR_USAGE, "the picture %s would replace the scene itself; choose another -o",
+                         output);
+    return true;
+}
+
+static void show_notice(void *user, const char *text)
+{
+    Painter *painter = user;
+    progress_note(&painter->progress, text);
+}
+
+static bool trace(const Options *options, const Scene *scene, Painter *painter, RenderReport *report, Error *error)
+{
+    BandSink sink = {paint_band, painter};
+    painter->rows = scene->screen.rows;
+    painter->progress = progress_start(options->progress, options->quiet);
+    RenderSettings settings = options->settings;
+    settings.notice = (Notice){show_notice, painter};
+    bool done = options->backend == BACKEND_REFERENCE ? reference_render(scene, &settings, sink, report, error)
+                                                      : opencl_render(scene, &settings, sink, report, error);
+    progress_end(&painter->progress);
+    return done;
+}
+
+/* Traces the scene into the file `output`. */
+static bool render(const Options *options, const Scene *scene, const char *output, Stats *stats, Error *error)
+{
+    double start = clock_ms();
+    Painter painter = {.writer = image_writer_open(output, scene->screen.columns, scene->screen.rows, error)};
+    if (!painter.writer)
+        return false;
+    painter.encode_ms = clock_ms() - start;
+    if (!trace(options, scene, &painter, &stats->report, error)) {
+        image_writer_abort(painter.writer);
+        return false;
+    }
+    start = clock_ms();
+    bool done = image_writer_commit(painter.writer, error);
+    stats->encode_ms = painter.encode_ms + clock_ms() - start;
+    return done;
+}
+
+static bool render_scene(const Options *options, const Scene *scene, Stats *stats, double start_ms, Error *error)
+{
+    char *output = options->output ? text_copy(options->output, error) : default_output(options->operands[0], error);
+    bool to_stdout = output && strcmp(output, "-") == 0;
+    bool done =
+        output && spare_scene(options->operands[0], output, error) && render(options, scene, output, stats, error);
+    stats->total_ms = clock_ms() - start_ms;
+    if (done && !options->quiet && !to_stdout)
+        fprintf(stderr, "%s: %d x %d pixels in %.2f s\n", output, scene->screen.columns, scene->screen.rows,
+                stats->total_ms / 1e3);
+    free(output);
+    return done && stats_print(to_stdout ? stderr : stdout, options->stats, stats, error);
+}
+
+/* What the map's colours run between. */
+static void print_scale(const Options *options, MapScale scale)
+{
+    const char *file = options->map_file;
+    if (options->map == MAP_RAYS)
+        fprintf(stderr, "%s: rays per pixel, from %.0f (black) to %.0f (white)\n", file, scale.low, scale.high);
+    else if (options->map == MAP_TIME)
+        fprintf(stderr, "%s: time per pixel, from %.4g ms (black) to %.4g ms (white)\n", file, scale.low, scale.high);
+    else if (options->map == MAP_DEPTH)
+        fprintf(stderr, "%s: depth, from %.6g (white) to %.6g (dark grey); black: nothing is hit\n", file, scale.low,
+                scale.high);
+    else if (options->map == MAP_NORMAL)
+        fprintf(stderr, "%s: normals, x, y, z from -1 to 1 as red, green, blue; black: nothing is hit\n", file);
+    else
+        fprintf(stderr, "%s: faces, a colour for each number; black: nothing is hit\n", file);
+}
+
+static bool check_map(const Options *options, Error *error)
+{
+    if (options->map_file && options->map == MAP_TIME && options->backend != BACKEND_REFERENCE)
+        return error_set(error, ERROR_USAGE,
+                         "--map time needs --backend reference: an OpenCL device times no single pixels");
+    if (options->map_file && options->output && strcmp(options->map_file, options->output) == 0)
+        return error_set(error, ERROR_USAGE, "the map %s would replace the picture; choose another name",
+                         options->map_file);
+    return !options->map_file || spare_scene(options->operands[0], options->map_file, error);
+}
+
+static bool draw_map(const Options *options, const Scene *scene, Error *error)
+{
+    Image image;
+    MapScale scale;
+    bool done =
+        map_draw(&image, scene, options->map, options->settings.accel, options->settings.threads, &scale, error) &&
+        image_write(&image, options->map_file, error);
+    if (done && !options->quiet)
+        print_scale(options, scale);
+    image_free(&image);
+    return done;
+}
+
+bool command_render(const Options *options, Error *error)
+{
+    double start = clock_ms();
+    Scene scene;
+    if (!scene_load(&scene, options->operands[0], error))
+        return false;
+    Stats stats = stats_begin(&scene, options->backend, options->settings.precision);
+    stats.parse_ms = clock_ms() - start;
+    options_note_unused(options);
+    scene_override(&scene, options);
+    bool done = check_map(options, error) && render_scene(options, &scene, &stats, start, error) &&
+                (!options->map_file || draw_map(options, &scene, error));
+    scene_free(&scene);
+    return done;
+}

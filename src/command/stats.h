@@ -1,0 +1,29 @@
+/* What was done and how long it took: --stats, as a table or as JSON. */
+#ifndef RECTRAY_STATS_H
+#define RECTRAY_STATS_H
+
+#include "base/error.h"
+#include "trace/render.h"
+#include "scene/scene.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+typedef enum StatsFormat { STATS_NONE, STATS_TEXT, STATS_JSON } StatsFormat;
+
+typedef struct Stats {
+    RenderReport report; /* what the backend measured */
+    double parse_ms, encode_ms, total_ms;
+    int faces, lights;
+    Backend backend;
+    Precision precision;
+} Stats;
+
+/* What is known before anything is traced. The reference computes in double whatever the precision. */
+Stats stats_begin(const Scene *scene, Backend backend, Precision precision);
+
+/* STATS_TEXT: a table for people. STATS_JSON: one object on one line; every number keeps all its digits.
+ * Fails only for want of memory; writing errors stay in `out`. */
+bool stats_print(FILE *out, StatsFormat format, const Stats *stats, Error *error);
+
+#endif

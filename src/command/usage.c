@@ -1,0 +1,30 @@
+/* Prints the help of a command from the tables of commands and options. */
+#include "command/options.h"
+
+enum { HELP_COLUMN = 28 }; /* where the explanation of an option begins */
+
+static void print_option(FILE *out, const Option *option)
+{
+    const char *argument = option->argument ? option->argument : "";
+    const char *blank = argument[0] && argument[0] != '[' ? " " : "";
+    int width = fprintf(out, option->letter ? "  -%c, " : "      ", option->letter);
+    width += fprintf(out, "--%s%s%s", option->name, blank, argument);
+    fprintf(out, "%*s%s\n", HELP_COLUMN > width ? HELP_COLUMN - width : 1, "", option->help);
+}
+
+void command_print_help(FILE *out, const Command *command)
+{
+    fprintf(out, "usage: rectray %s%s%s [options]\n\n%s\n\noptions:\n", command->name, command->operands[0] ? " " : "",
+            command->operands, command->summary);
+    for (const Option *option = option_table; option->name; option++)
+        if (option_belongs(option, command->name))
+            print_option(out, option);
+}
+
+void commands_print_help(FILE *out, const Command *commands)
+{
+    fprintf(out, "usage: rectray COMMAND ...\n\ncommands:\n");
+    for (const Command *command = commands; command->name; command++)
+        fprintf(out, "  %-9s%-15s%s\n", command->name, command->operands, command->summary);
+    fprintf(out, "\n`rectray COMMAND --help` tells the options of a command, `rectray --version` the version.\n");
+}

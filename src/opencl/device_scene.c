@@ -1,0 +1,246 @@
+/* A scene as the kernels want it. Every value is computed in double and rounded once. */
+#include "opencl/device_scene.h"
+
+#include "trace/adaptive.h"
+#include "scene/geometry.h"
+#include "base/parallel.h"
+
+#include <float.h>
+#include <pthread.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MIN_PARALLEL = 1 << 14 }; /* fewer faces are packed sooner than threads start */
+
+/* The longest path has its place on the device. */
+typedef char PathMaxIsTheScenes[PATH_MAX == SCENE_MAX_BOUNCES + 1 ? 1 : -1];
+
+size_t reals_bytes(const Reals *reals)
+{
+    return reals->count * (reals->precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float));
+}
+
+/* OpenCL has no buffer of zero bytes, so that rows of nothing get one value. */
+static bool reals_allocate(Reals *reals, size_t rows, size_t row, Precision precision, Error *error)
+{
+    reals->precision = precision;
+    reals->count = rows > 0 ? rows * row : 1;
+    reals->data = calloc(reals->count, precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float));
+    return reals->data || error_memory(error, "the scene for the device");
+}
+
+static void put(Reals *reals, size_t index, double value)
+{
+    if (reals->precision == PRECISION_DOUBLE)
+        ((double *)reals->data)[index] = value;
+    else
+        ((float *)reals->data)[index] = (float)value;
+}
+
+static void put_vec3(Reals *reals, size_t index, Vec3 v)
+{
+    put(reals, index, v.x);
+    put(reals, index + 1, v.y);
+    put(reals, index + 2, v.z);
+}
+
+/* What put() rounded away: zero in double. */
+static Vec3 low_part(const Reals *reals, Vec3 v)
+{
+    if (reals->precision == PRECISION_DOUBLE)
+        return vec3(0, 0, 0);
+    return vec3(v.x - (double)(float)v.x, v.y - (double)(float)v.y, v.z - (double)(float)v.z);
+}
+
+static double sum_of_magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+
+/* The upper half of a float that is no less than the bound, and so large that no device takes it for zero. */
+static uint32_t bound_bits(double bound)
+{
+    float rounded = (float)(bound * (1 + 4 * (double)FLT_EPSILON) + 0x1p-120);
+    uint32_t bits;
+    memcpy(&bits, &rounded, sizeof bits);
+    return bits / 0x10000 + (bits % 0x10000 > 0);
+}
+
+/* FACE_BITS; the bounds take in their own rounding. */
+static uint32_t face_bits(const Face *face, const Plane *plane, bool closed)
+{
+    double longest = 0, warp = 0;
+    for (int k = 0; k < 4; k++) {
+        Vec3 v = face_vertex(face, k), from_first = vec3_sub(v, face_vertex(face, 0));
+        longest = fmax(longest, sum_of_magnitudes(vec3_sub(face_vertex(face, (k + 1) % 4), v)));
+        warp = fmax(warp, fabs(vec3_dot(plane->normal, from_first)) + 0x1p-48 * sum_of_magnitudes(from_first));
+    }
+    uint32_t even_warp = (bound_bits(warp) + 1) & ~FACE_BACK_INSIDE;
+    return bound_bits(longest) << 16 | even_warp | (face->vertex_count == 3 ? FACE_TRIANGLE : 0) |
+           (face->front_only ? FACE_BACK_OPEN : closed ? FACE_BACK_INSIDE : 0);
+}
+
+static void put_face(Reals *rows, size_t row, const Face *face, const Plane *plane, bool closed)
+{
+    for (int k = 0; k < 4; k++)
+        for (int axis = 0; axis < 3; axis++)
+            put(rows, row + FACE_VERTICES + 4 * (size_t)axis + (size_t)k, (double)face->vertices[k][axis]);
+    put_vec3(rows, row + FACE_NORMAL, plane->normal);
+    uint32_t bits = face_bits(face, plane, closed);
+    size_t real_size = rows->precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float);
+    memcpy((char *)rows->data + (row + FACE_BITS) * real_size, &bits, sizeof bits);
+}
+
+static void put_plane(Reals *planes, size_t row, const Plane *plane)
+{
+    bool is_double = planes->precision == PRECISION_DOUBLE;
+    put_vec3(planes, row + PLANE_NORMAL, plane->normal);
+    put_vec3(planes, row + PLANE_NORMAL_LOW, is_double ? plane->normal_low : low_part(planes, plane->normal));
+    /* Two floats hold 48 bits; then rounded up, since it is a bound. */
+    put(planes, row + PLANE_ERROR, is_double ? plane->error : (plane->error + 0x1p-47) * (1 + 4 * (double)FLT_EPSILON));
+    put(planes, row + PLANE_LENGTH, plane->length);
+}
+
+static bool is_flat(const Face *face)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        float at = face->vertices[0][axis];
+        if (face->vertices[1][axis] == at && face->vertices[2][axis] == at && face->vertices[3][axis] == at)
+            return true;
+    }
+    return false;
+}
+
+/* Puts face `index` of the scene at place i. */
+static void pack_face(DeviceScene *packed, const Scene *scene, const unsigned char *closed, int index, int i)
+{
+    const Face *face = &scene->faces[index];
+    FaceRecord *record = &packed->faces[i];
+    record->material = face->material | (is_flat(face) ? FACE_FLAT : 0);
+    record->index = index;
+    Box box = face_box(face, &scene->planes[index]);
+    for (int axis = 0; axis < 3; axis++) {
+        record->box[2 * axis] = box.low[axis];
+        record->box[2 * axis + 1] = box.high[axis];
+    }
+    put_face(&packed->edges, (size_t)i * FACE_REALS, face, &scene->planes[index], closed && closed[index]);
+    put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
+}
+
+static void pack_light(Reals *lights, size_t row, const Light *light)
+{
+    put_vec3(lights, row + LIGHT_POSITION, light->position);
+    put_vec3(lights, row + LIGHT_POSITION_LOW, low_part(lights, light->position));
+    put_vec3(lights, row + LIGHT_AMBIENT, light->ambient);
+    put_vec3(lights, row + LIGHT_DIFFUSE, light->diffuse);
+    put_vec3(lights, row + LIGHT_SPECULAR, light->specular);
+}
+
+static void pack_material(Reals *materials, size_t row, const Material *material)
+{
+    put_vec3(materials, row + MATERIAL_AMBIENT, material->ambient);
+    put_vec3(materials, row + MATERIAL_DIFFUSE, material->diffuse);
+    put_vec3(materials, row + MATERIAL_SPECULAR, material->specular);
+    put(materials, row + MATERIAL_EXPONENT, material->shininess / 4);
+    put(materials, row + MATERIAL_REFLECTION, material->reflection);
+}
+
+static void put_view(Reals *reals, int column, Vec3 value)
+{
+    put_vec3(reals, (size_t)column, value);
+    put_vec3(reals, (size_t)VIEW_REALS + (size_t)column, low_part(reals, value));
+}
+
+/* No primary ray's direction is longer. */
+static double longest_direction(const View *view)
+{
+    double x = view->width / 2, y = view->height / 2;
+    return sqrt(vec3_dot(view->forward, view->forward) + x * x + y * y);
+}
+
+/* No vertex has larger |x|+|y|+|z|. */
+static double farthest_vertex(const Scene *scene)
+{
+    double farthest = 0;
+    for (int i = 0; i < scene->face_count; i++)
+        for (int k = 0; k < scene->faces[i].vertex_count; k++)
+            farthest = fmax(farthest, sum_of_magnitudes(face_vertex(&scene->faces[i], k)));
+    return farthest;
+}
+
+static void pack_view(Reals *reals, const Scene *scene)
+{
+    View view = view_of(scene);
+    put_view(reals, VIEW_EYE, view.eye);
+    put_view(reals, VIEW_FORWARD, view.forward);
+    put_view(reals, VIEW_RIGHT, view.right);
+    put_view(reals, VIEW_UP, view.up);
+    put_view(reals, VIEW_WIDTH, vec3(view.width, view.height, 0));
+    put_view(reals, VIEW_BACKGROUND, scene->shading.background);
+    put_view(reals, VIEW_BRIGHTEST, vec3(adaptive_brightest(scene), 0, 0));
+    put(reals, VIEW_LENGTH, longest_direction(&view) * (1 + 4 * (double)FLT_EPSILON));
+    put(reals, VIEW_FARTHEST, farthest_vertex(scene) * (1 + 4 * (double)FLT_EPSILON));
+}
+
+/* What the threads that pack the faces share. */
+typedef struct Packing {
+    DeviceScene *packed;
+    const Scene *scene;
+    const unsigned char *closed;
+    const int *order;
+    int next; /* guarded by the lock */
+    pthread_mutex_t lock;
+} Packing;
+
+static void pack_faces(void *argument)
+{
+    enum { EACH = 4096 };
+    Packing *packing = argument;
+    int count = packing->scene->face_count;
+    for (;;) {
+        pthread_mutex_lock(&packing->lock);
+        int first = packing->next, end = count - first < EACH ? count : first + EACH;
+        packing->next = end;
+        pthread_mutex_unlock(&packing->lock);
+        if (first == count)
+            return;
+        for (int i = first; i < end; i++)
+            pack_face(packing->packed, packing->scene, packing->closed, packing->order ? packing->order[i] : i, i);
+    }
+}
+
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order, int threads,
+                       Precision precision, Precision wide, Error *error)
+{
+    *packed = (DeviceScene){0};
+    size_t faces = (size_t)scene->face_count;
+    packed->faces = calloc(faces > 0 ? faces : 1, sizeof *packed->faces);
+    if (!packed->faces)
+        return error_memory(error, "the faces for the device");
+    if (!reals_allocate(&packed->edges, faces, FACE_REALS, precision, error) ||
+        !reals_allocate(&packed->planes, faces, PLANE_REALS, wide, error) ||
+        !reals_allocate(&packed->materials, (size_t)scene->material_count, MATERIAL_REALS, precision, error) ||
+        !reals_allocate(&packed->lights, (size_t)scene->light_count, LIGHT_REALS, precision, error) ||
+        !reals_allocate(&packed->view, 2, VIEW_REALS, precision, error))
+        return false;
+
+    Packing packing = {.packed = packed, .scene = scene, .closed = closed, .order = order};
+    pthread_mutex_init(&packing.lock, NULL);
+    parallel_run(scene->face_count < MIN_PARALLEL ? 1 : parallel_threads(threads), pack_faces, &packing);
+    pthread_mutex_destroy(&packing.lock);
+    for (int i = 0; i < scene->light_count; i++)
+        pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
+    for (int i = 0; i < scene->material_count; i++)
+        pack_material(&packed->materials, (size_t)i * MATERIAL_REALS, &scene->materials[i]);
+    pack_view(&packed->view, scene);
+    return true;
+}
+
+void device_scene_free(DeviceScene *packed)
+{
+    free(packed->faces);
+    free(packed->edges.data);
+    free(packed->planes.data);
+    free(packed->materials.data);
+    free(packed->lights.data);
+    free(packed->view.data);
+    *packed = (DeviceScene){0};
+}

@@ -1,0 +1,23 @@
+/* A tree as the kernels walk it: two arrays. A node of the bounding volume hierarchy has as many children as the lanes test
+ * at once, their boxes side by side (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008, section 3). */
+#ifndef RECTRAY_OPENCL_TREE_H
+#define RECTRAY_OPENCL_TREE_H
+
+#include "trace/accel.h"
+
+#include <stddef.h>
+
+typedef struct DeviceTree {
+    float *floats; /* as kernels/bvh.cl and kernels/kdtree.cl say */
+    int *ints;
+    size_t float_count, int_count;
+    int node_width; /* children per node of a BVH */
+    int stack_size; /* nodes that a walk may have to remember */
+} DeviceTree;
+
+/* Packs the tree that was built; where there is none, the arrays are empty. closed: of skip_closed_boxes, or NULL. `width`: 4 to
+ * 16. */
+bool device_tree_pack(DeviceTree *tree, const Accel *accel, const unsigned char *closed, int width, Error *error);
+void device_tree_free(DeviceTree *tree);
+
+#endif

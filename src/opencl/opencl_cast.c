@@ -1,0 +1,81 @@
+/* The OpenCL backend: casts rays at a scene. */
+#include "opencl/opencl.h"
+
+#include "opencl/opencl_upload.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Rays and hits in the device's types; the caller frees all three. */
+typedef struct CastArrays {
+    void *rays, *t;
+    cl_int *faces;
+    size_t ray_bytes, t_bytes;
+} CastArrays;
+
+static bool cast_arrays(CastArrays *arrays, const OpenclSession *session, const double *rays, long count, Error *error)
+{
+    size_t values = (size_t)count * 6;
+    arrays->ray_bytes = session->wide_is_double ? sizeof(double) : sizeof(float);
+    arrays->t_bytes = session->wide_is_double ? sizeof(double) : sizeof(float);
+    arrays->rays = malloc(values * arrays->ray_bytes);
+    arrays->faces = malloc((size_t)count * sizeof(cl_int));
+    arrays->t = malloc((size_t)count * arrays->t_bytes);
+    if (!arrays->rays || !arrays->faces || !arrays->t)
+        return error_memory(error, "the rays");
+    for (size_t i = 0; i < values; i++)
+        if (session->wide_is_double)
+            ((double *)arrays->rays)[i] = rays[i];
+        else
+            ((float *)arrays->rays)[i] = (float)rays[i];
+    return true;
+}
+
+static bool cast_session(OpenclSession *session, const Scene *scene, const SceneOnDevice *on_device, CastArrays *arrays, long count,
+                         RenderReport *report, Error *error)
+{
+    size_t rays = (size_t)count;
+    cl_mem ray_buffer, face_buffer, t_buffer;
+    if (!(ray_buffer = opencl_buffer(session, CL_MEM_READ_ONLY, rays * 6 * arrays->ray_bytes, arrays->rays, error)) ||
+        !(face_buffer = opencl_buffer(session, CL_MEM_WRITE_ONLY, rays * sizeof(cl_int), NULL, error)) ||
+        !(t_buffer = opencl_buffer(session, CL_MEM_WRITE_ONLY, rays * arrays->t_bytes, NULL, error)))
+        return false;
+    cl_mem arguments[] = {on_device->parameters, on_device->faces, on_device->edges,    on_device->planes, ray_buffer,
+                          face_buffer,           t_buffer,         on_device->counters, on_device->tree_floats,  on_device->tree_ints};
+    cl_kernel kernel = opencl_kernel(session, "cast", arguments, sizeof arguments / sizeof arguments[0], error);
+    if (!kernel)
+        return false;
+    Parameters parameters = opencl_parameters(scene);
+    parameters.ray_count = (int)count;
+    size_t items = (rays + (size_t)session->lanes - 1) / (size_t)session->lanes;
+    bool ok = opencl_launch(session, on_device, kernel, &parameters, items, report, error) &&
+              opencl_read(session, face_buffer, rays * sizeof(cl_int), arrays->faces, report, error) &&
+              opencl_read(session, t_buffer, rays * arrays->t_bytes, arrays->t, report, error);
+    if (ok)
+        opencl_keep(session);
+    clReleaseKernel(kernel);
+    return ok;
+}
+
+bool opencl_cast(const Scene *scene, const RenderSettings *settings, const double *rays, long count, CastHit *hits,
+                 RenderReport *report, Error *error)
+{
+    memset(report, 0, sizeof *report);
+    if (count == 0)
+        return true;
+    OpenclSession session = {.casts = true};
+    CastArrays arrays = {0};
+    SceneOnDevice on_device;
+    bool ok = opencl_prepare(&session, scene, settings, &on_device, report, error) &&
+              cast_arrays(&arrays, &session, rays, count, error) &&
+              cast_session(&session, scene, &on_device, &arrays, count, report, error);
+    for (long i = 0; ok && i < count; i++) {
+        double t = session.wide_is_double ? ((double *)arrays.t)[i] : (double)((float *)arrays.t)[i];
+        hits[i] = (CastHit){arrays.faces[i], t};
+    }
+    free(arrays.rays);
+    free(arrays.faces);
+    free(arrays.t);
+    opencl_close(&session);
+    return ok;
+}

@@ -1,0 +1,231 @@
+/* A device made ready: context, queue and compiled kernels. Every OpenCL call goes through opencl_ok. */
+#include "opencl/opencl_program.h"
+
+#include "base/clock.h"
+#include "opencl/opencl_sources.h"
+
+#include "kernels/shared/layout.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool choose_lanes(OpenclSession *session, const RenderSettings *settings, Error *error)
+{
+    bool is_double = settings->precision == PRECISION_DOUBLE;
+    if (is_double && !session->info.has_double)
+        return error_set(error, ERROR_SYSTEM, "the device %s has no double precision; use --precision float", session->info.name);
+    session->precision = settings->precision;
+    session->wide_is_double = session->info.has_double;
+    session->lanes = is_double ? session->info.lanes_double : session->info.lanes_float;
+    if (settings->lanes > 0)
+        session->lanes = settings->lanes;
+    session->packet_columns = session->lanes == 16 ? 4 : session->lanes >= 4 ? session->lanes / 2 : 1;
+    session->packets_across = session->lanes > 1 ? 2 : 1;
+    session->block_across = session->lanes > 1 ? 4 : 1;
+    session->block_columns = session->packet_columns * session->packets_across * session->block_across;
+    session->block_rows = session->lanes / session->packet_columns * session->packets_across * session->block_across;
+    return true;
+}
+
+/* The end of the compiler's log is cut where the message is full; its first errors matter most. */
+static bool report_build_failure(OpenclSession *session, cl_int status, Error *error)
+{
+    size_t size = 0;
+    clGetProgramBuildInfo(session->program, session->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &size);
+    char *log = calloc(size + 1, 1);
+    if (!log)
+        return error_memory(error, "the compiler's log");
+    clGetProgramBuildInfo(session->program, session->device, CL_PROGRAM_BUILD_LOG, size, log, NULL);
+    error_set(error, ERROR_SYSTEM, "the kernels do not compile for %s (%s); the compiler says:\n%s", session->info.name,
+              opencl_status_name(status), log);
+    free(log);
+    return false;
+}
+
+static void write_options(const OpenclSession *session, Variant variant, RenderReport *report)
+{
+    int accel = variant.accel == ACCEL_BVH ? 1 : variant.accel == ACCEL_KDTREE ? 2 : 0;
+    snprintf(report->build_options, sizeof report->build_options,
+             "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DPACKETS=%d -DPACKETS_ACROSS=%d "
+             "-DPACKET_COLUMNS=%d -DPACKET_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
+             "-DBLOCK_ACROSS=%d -DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
+             session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double,
+             session->packets_across * session->packets_across, session->packets_across, session->packet_columns,
+             session->lanes / session->packet_columns, accel, variant.node_width, session->block_across,
+             variant.stack_size, (int)sizeof(FaceRecord),
+             (int)sizeof(Parameters));
+    char *options = report->build_options;
+    size_t room = sizeof report->build_options, used = strlen(options);
+    snprintf(options + used, room - used, "%s", session->linear ? " -DLINEAR=1" : "");
+}
+
+/* The kernel file that includes all that the session needs. */
+static const char *root_of(const OpenclSession *session)
+{
+    return session->casts ? "packet/cast.cl" : session->adaptive ? "adaptive/refine.cl" : "tile/render.cl";
+}
+
+static CacheKey key_of(const OpenclSession *session, const char *sources, const char *options)
+{
+    const DeviceInfo *info = &session->info;
+    const char *place[] = {info->platform, info->name, info->version, info->driver, root_of(session), options};
+    CacheKey key = {CACHE_HASH_START, CACHE_HASH_START};
+    for (size_t i = 0; i < sizeof place / sizeof place[0]; i++)
+        key.place = cache_hash(key.place, place[i]);
+    key.sources = cache_hash(key.sources, sources);
+    return key;
+}
+
+/* Builds what an earlier run has kept; false if there is none, or the device does not take it any more. */
+static bool build_kept(OpenclSession *session, const char *options)
+{
+    size_t size;
+    unsigned char *binary = cache_load(session->key, &size);
+    if (!binary)
+        return false;
+    cl_int taken = CL_SUCCESS, status;
+    session->program = clCreateProgramWithBinary(session->context, 1, &session->device, &size,
+                                                 (const unsigned char **)&binary, &taken, &status);
+    free(binary);
+    if (status == CL_SUCCESS && taken == CL_SUCCESS)
+        status = clBuildProgram(session->program, 1, &session->device, options, NULL, NULL);
+    if (status == CL_SUCCESS && taken == CL_SUCCESS)
+        return true;
+    if (session->program)
+        clReleaseProgram(session->program);
+    session->program = NULL;
+    return false;
+}
+
+static void notify_compiling(const OpenclSession *session)
+{
+    char text[256];
+    snprintf(text, sizeof text, "compiling the kernels for %s, once", session->info.name);
+    if (session->notice.tell)
+        session->notice.tell(session->notice.user, text);
+}
+
+static bool build_program(OpenclSession *session, const char *sources, const char *options, Error *error)
+{
+    if (build_kept(session, options))
+        return true;
+    session->from_source = true;
+    notify_compiling(session);
+    cl_int status;
+    session->program = clCreateProgramWithSource(session->context, 1, &sources, NULL, &status);
+    if (!opencl_ok(error, status, "clCreateProgramWithSource"))
+        return false;
+    status = clBuildProgram(session->program, 1, &session->device, options, NULL, NULL);
+    if (status != CL_SUCCESS)
+        return report_build_failure(session, status, error);
+    return true;
+}
+
+void opencl_keep(OpenclSession *session)
+{
+    size_t size = 0;
+    if (!session->from_source ||
+        clGetProgramInfo(session->program, CL_PROGRAM_BINARY_SIZES, sizeof size, &size, NULL) != CL_SUCCESS || size == 0)
+        return;
+    unsigned char *binary = malloc(size);
+    if (binary && clGetProgramInfo(session->program, CL_PROGRAM_BINARIES, sizeof binary, &binary, NULL) == CL_SUCCESS)
+        cache_store(session->key, binary, size);
+    free(binary);
+    session->from_source = false;
+}
+
+static bool open_context(OpenclSession *session, Error *error)
+{
+    cl_int status;
+    session->context = clCreateContext(NULL, 1, &session->device, NULL, NULL, &status);
+    if (!opencl_ok(error, status, "clCreateContext"))
+        return false;
+    session->queue = clCreateCommandQueue(session->context, session->device, 0, &status);
+    return opencl_ok(error, status, "clCreateCommandQueue");
+}
+
+bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    session->notice = settings->notice;
+    session->no_skip = settings->no_skip;
+    if (!opencl_find_device(settings->device, settings->threads, &session->device, &session->info, error) ||
+        !choose_lanes(session, settings, error) || !open_context(session, error))
+        return false;
+    report->lanes = session->lanes;
+    report->threads = session->info.compute_units;
+    snprintf(report->device, sizeof report->device, "%s", session->info.name);
+    report->device_ms = clock_ms() - start;
+    return true;
+}
+
+static const char *tree_of(AccelKind accel)
+{
+    return accel == ACCEL_BVH ? "bvh" : accel == ACCEL_KDTREE ? "kdtree" : "all_faces";
+}
+
+bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    char *sources = opencl_sources(root_of(session), tree_of(variant.accel), error);
+    bool ok = sources != NULL;
+    if (ok) {
+        write_options(session, variant, report);
+        session->key = key_of(session, sources, report->build_options);
+        ok = build_program(session, sources, report->build_options, error);
+    }
+    free(sources);
+    report->accel = variant.accel;
+    report->compile_ms = clock_ms() - start;
+    return ok;
+}
+
+void opencl_close(OpenclSession *session)
+{
+    for (int i = 0; i < session->buffer_count; i++)
+        clReleaseMemObject(session->buffers[i]);
+    if (session->program)
+        clReleaseProgram(session->program);
+    if (session->queue)
+        clReleaseCommandQueue(session->queue);
+    if (session->context)
+        clReleaseContext(session->context);
+    *session = (OpenclSession){0};
+}
+
+cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, const void *data, Error *error)
+{
+    cl_int status;
+    if (data)
+        flags |= CL_MEM_COPY_HOST_PTR;
+    cl_mem buffer = clCreateBuffer(session->context, flags, bytes, (void *)(size_t)data, &status);
+    if (!opencl_ok(error, status, "clCreateBuffer"))
+        return NULL;
+    session->buffers[session->buffer_count++] = buffer;
+    return buffer;
+}
+
+cl_kernel opencl_kernel(OpenclSession *session, const char *name, const cl_mem *arguments, int count, Error *error)
+{
+    cl_int status;
+    cl_kernel kernel = clCreateKernel(session->program, name, &status);
+    if (!opencl_ok(error, status, "clCreateKernel"))
+        return NULL;
+    for (int i = 0; i < count && status == CL_SUCCESS; i++)
+        status = clSetKernelArg(kernel, (cl_uint)i, sizeof arguments[i], &arguments[i]);
+    if (opencl_ok(error, status, "clSetKernelArg"))
+        return kernel;
+    clReleaseKernel(kernel);
+    return NULL;
+}
+
+bool opencl_run(OpenclSession *session, cl_kernel kernel, size_t items, Error *error)
+{
+    /* One work-item is a whole register of rays on a CPU; on a GPU the items of a group share a unit. */
+    size_t local = session->lanes > 1 || strcmp(session->info.type, "CPU") == 0 ? 1 : 64;
+    size_t global = (items + local - 1) / local * local;
+    return opencl_ok(error, clEnqueueNDRangeKernel(session->queue, kernel, 1, NULL, &global, &local, 0, NULL, NULL),
+                     "clEnqueueNDRangeKernel") &&
+           opencl_ok(error, clFinish(session->queue), "clFinish");
+}

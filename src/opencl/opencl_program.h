@@ -1,0 +1,64 @@
+/* A device made ready: context, queue and compiled kernels. */
+#ifndef RECTRAY_OPENCL_PROGRAM_H
+#define RECTRAY_OPENCL_PROGRAM_H
+
+#include "opencl/kernel_cache.h"
+#include "opencl/opencl_device.h"
+
+/* Where PoCL is told to specialise kernels, it compiles one once more for launches of more than 65535 work-groups. */
+enum { OPENCL_MAX_BUFFERS = 16, OPENCL_MAX_ITEMS = 65535 };
+
+/* Zero it, open it, build its kernels, close it; the buffers made with it are freed with it. */
+typedef struct OpenclSession {
+    DeviceInfo info;
+    Precision precision;
+    int lanes;
+    int packet_columns, packets_across; /* a packet of lanes is so wide; a tile has so many packets across and down */
+    int block_across;                   /* so many tiles side by side, and below one another, are a work-item's */
+    int block_columns, block_rows;      /* their pixels */
+    bool wide_is_double; /* t comes back as double */
+    bool adaptive;       /* the kernel is `render_adaptive` */
+    bool casts;          /* it is `cast`; else it is `render`. One is built: a compiler takes seconds for each */
+    bool linear;         /* pixels come back as three reals, not clamped, instead of three bytes */
+    cl_device_id device;
+    cl_context context;
+    cl_command_queue queue;
+    cl_program program;
+    unsigned no_skip; /* as in RenderSettings */
+    Notice notice;
+    CacheKey key;     /* of the program */
+    bool from_source; /* it was compiled in this run, not kept from an earlier one */
+    cl_mem buffers[OPENCL_MAX_BUFFERS];
+    int buffer_count;
+} OpenclSession;
+
+/* Opens the device of the settings and chooses its number of lanes; time and device go to the report. */
+bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderReport *report, Error *error);
+
+/* What the kernels are built for: a build option each. */
+typedef struct Variant {
+    AccelKind accel;  /* not ACCEL_AUTO */
+    int node_width;
+    int stack_size;   /* nodes that a walk may have to remember */
+} Variant;
+
+/* Builds the session's kernel: from the sources embedded in rectray, or from the files of the folder that
+ * the environment variable RECTRAY_KERNELS names (unless it is empty), or from what an earlier run has kept of the same
+ * sources. Time and build options go to the report. A kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
+bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error);
+
+/* Keeps the program for later runs if it was compiled in this one; to be called when the kernel has run once. */
+void opencl_keep(OpenclSession *session);
+
+void opencl_close(OpenclSession *session);
+
+/* A buffer with a copy of `data`, or uninitialised where data is NULL; NULL with the error filled on failure. */
+cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, const void *data, Error *error);
+
+/* A kernel with its buffers as arguments, in order; the caller releases it. */
+cl_kernel opencl_kernel(OpenclSession *session, const char *name, const cl_mem *arguments, int count, Error *error);
+
+/* Runs the kernel with at least `items` work-items and waits. */
+bool opencl_run(OpenclSession *session, cl_kernel kernel, size_t items, Error *error);
+
+#endif

@@ -1,0 +1,16 @@
+/* The text of an OpenCL program: a kernel file with all that it includes. */
+#ifndef RECTRAY_OPENCL_SOURCES_H
+#define RECTRAY_OPENCL_SOURCES_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+
+/* Returns the text of the kernel file `root`, such as "tile/render.cl", for a tree named "bvh", "kdtree" or "all_faces".
+ * Each #include is replaced by the file that it names, the first time; #line directives keep the places of errors.
+ * `#include TREE` stands for the file packet/NAME.cl of the tree, `#include BEAM_TREE` for adaptive/beam_NAME.cl.
+ * The files are those inside the program, or those of the folder that the environment variable RECTRAY_KERNELS names.
+ * NULL, with the error filled: a file cannot be read, or there is none of that name. The caller frees the text. */
+char *opencl_sources(const char *root, const char *tree, Error *error);
+
+#endif

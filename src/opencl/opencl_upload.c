@@ -1,0 +1,173 @@
+/* A scene on a device, ready to be traced. */
+#include "opencl/opencl_upload.h"
+
+#include "trace/accel.h"
+#include "base/clock.h"
+#include "opencl/device_scene.h"
+#include "opencl/device_tree.h"
+#include "trace/skip.h"
+
+#include <stdlib.h>
+
+enum { COUNTERS = COUNTER_STRIPES * COUNTER_STRIDE };
+
+Parameters opencl_parameters(const Scene *scene)
+{
+    return (Parameters){
+        .columns = scene->screen.columns,
+        .rows = scene->screen.rows,
+        .grid = scene->grid,
+        .face_count = scene->face_count,
+        .light_count = scene->light_count,
+        .max_bounces = scene->shading.max_bounces,
+        .shadow_ambient = scene->shading.shadow == SHADOW_AMBIENT,
+        .viewer_ray = scene->shading.viewer == VIEWER_RAY,
+    };
+}
+
+/* A buffer for reading with `count` items; OpenCL has none of zero bytes, so that nothing gets one item, of any value. */
+static cl_mem buffer_of(OpenclSession *session, const void *data, size_t count, size_t item, Error *error)
+{
+    return opencl_buffer(session, CL_MEM_READ_ONLY, (count > 0 ? count : 1) * item, count > 0 ? data : NULL, error);
+}
+
+static cl_mem buffer_of_reals(OpenclSession *session, const Reals *reals, Error *error)
+{
+    return buffer_of(session, reals->data, 1, reals_bytes(reals), error);
+}
+
+/* What skip_closed_boxes says of each face. NULL without memory. */
+static unsigned char *closed_boxes(const Scene *scene, const RenderSettings *settings, Error *error)
+{
+    unsigned char *closed = calloc((size_t)scene->face_count + 1, 1);
+    if (!closed)
+        error_memory(error, "the boxes of the scene");
+    else if (skip_wanted(settings, SKIP_BACK_FACE))
+        skip_closed_boxes(scene, closed);
+    return closed;
+}
+
+static uint64_t device_bytes(const Scene *scene, const DeviceScene *packed, const DeviceTree *tree)
+{
+    return (uint64_t)scene->face_count * sizeof(FaceRecord) + reals_bytes(&packed->edges) + reals_bytes(&packed->planes) +
+           reals_bytes(&packed->materials) + reals_bytes(&packed->lights) + reals_bytes(&packed->view) +
+           tree->float_count * sizeof(float) + tree->int_count * sizeof(int);
+}
+
+static bool upload(OpenclSession *session, const Scene *scene, const RenderSettings *settings, const Accel *accel,
+                   const unsigned char *closed, const DeviceTree *tree, SceneOnDevice *on_device, RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    DeviceScene packed;
+    Precision wide = session->wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT;
+    size_t faces = (size_t)scene->face_count;
+    bool ok = device_scene_pack(&packed, scene, closed, accel->bvh.order, settings->threads, session->precision,
+                                wide, error) &&
+              (on_device->parameters = buffer_of(session, NULL, 0, sizeof(Parameters), error)) &&
+              (on_device->faces = buffer_of(session, packed.faces, faces, sizeof(FaceRecord), error)) &&
+              (on_device->edges = buffer_of_reals(session, &packed.edges, error)) &&
+              (on_device->planes = buffer_of_reals(session, &packed.planes, error)) &&
+              (on_device->materials = buffer_of_reals(session, &packed.materials, error)) &&
+              (on_device->lights = buffer_of_reals(session, &packed.lights, error)) &&
+              (on_device->view = buffer_of_reals(session, &packed.view, error)) &&
+              (on_device->counters = opencl_buffer(session, CL_MEM_READ_WRITE, COUNTERS * sizeof(cl_uint), NULL, error)) &&
+              (on_device->tree_floats = buffer_of(session, tree->floats, tree->float_count, sizeof(float), error)) &&
+              (on_device->tree_ints = buffer_of(session, tree->ints, tree->int_count, sizeof(int), error));
+    report->device_bytes = device_bytes(scene, &packed, tree);
+    device_scene_free(&packed);
+    report->upload_ms += clock_ms() - start;
+    return ok;
+}
+
+static bool build_tree(const OpenclSession *session, const Scene *scene, const RenderSettings *settings, Accel *accel,
+                       const unsigned char *closed, DeviceTree *tree, RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    int width = session->lanes > 4 ? session->lanes : 4;
+    bool no_tree = settings->accel == ACCEL_AUTO && skip_wanted(settings, SKIP_TREE);
+    AccelKind kind = settings->accel == ACCEL_AUTO && !no_tree ? ACCEL_BVH : settings->accel;
+    bool ok = accel_build(accel, scene, kind, settings->threads, error) &&
+              device_tree_pack(tree, accel, closed, width, error);
+    report->skipped[SKIP_TREE] = ok && no_tree && accel->kind == ACCEL_NONE;
+    report->build_ms = clock_ms() - start;
+    return ok;
+}
+
+bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings,
+                    SceneOnDevice *on_device, RenderReport *report, Error *error)
+{
+    Accel accel = {.kind = ACCEL_NONE};
+    DeviceTree tree = {0};
+    unsigned char *closed = closed_boxes(scene, settings, error);
+    bool ok = closed && opencl_open(session, settings, report, error) &&
+              build_tree(session, scene, settings, &accel, closed, &tree, report, error) &&
+              opencl_build(session, (Variant){accel.kind, tree.node_width, tree.stack_size}, report, error) &&
+              upload(session, scene, settings, &accel, closed, &tree, on_device, report, error);
+    accel_free(&accel);
+    device_tree_free(&tree);
+    free(closed);
+    return ok;
+}
+
+static bool write_launch(OpenclSession *session, const SceneOnDevice *on_device, const Parameters *parameters, Error *error)
+{
+    static const cl_uint zeros[COUNTERS];
+    return opencl_ok(error,
+                     clEnqueueWriteBuffer(session->queue, on_device->parameters, CL_TRUE, 0, sizeof *parameters, parameters,
+                                          0, NULL, NULL),
+                     "clEnqueueWriteBuffer") &&
+           opencl_ok(error,
+                     clEnqueueWriteBuffer(session->queue, on_device->counters, CL_TRUE, 0, sizeof zeros, zeros, 0, NULL, NULL),
+                     "clEnqueueWriteBuffer");
+}
+
+bool opencl_read(OpenclSession *session, cl_mem buffer, size_t bytes, void *data, RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    cl_int status = clEnqueueReadBuffer(session->queue, buffer, CL_TRUE, 0, bytes, data, 0, NULL, NULL);
+    report->readback_ms += clock_ms() - start;
+    return opencl_ok(error, status, "clEnqueueReadBuffer");
+}
+
+static bool add_counters(OpenclSession *session, const SceneOnDevice *on_device, RenderReport *report, Error *error)
+{
+    cl_uint counters[COUNTERS];
+    if (!opencl_read(session, on_device->counters, sizeof counters, counters, report, error))
+        return false;
+    uint64_t sums[COUNTER_KINDS] = {0};
+    for (int i = 0; i < COUNTERS; i++)
+        if (i % COUNTER_STRIDE < COUNTER_KINDS)
+            sums[i % COUNTER_STRIDE] += counters[i];
+    report->rays.primary += sums[COUNT_PRIMARY];
+    report->rays.shadow += sums[COUNT_SHADOW];
+    report->rays.reflection += sums[COUNT_REFLECTION];
+    for (int skip = 0; skip < SKIPS_COUNTED; skip++)
+        report->skipped[skip] += sums[COUNT_SKIPPED + skip];
+    report->face_tests += sums[COUNT_FACE_TESTS];
+    report->box_tests += sums[COUNT_BOX_TESTS];
+    return true;
+}
+
+bool opencl_launch(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel, const Parameters *parameters,
+                   size_t items, RenderReport *report, Error *error)
+{
+    if (!write_launch(session, on_device, parameters, error))
+        return false;
+    double start = clock_ms();
+    bool ok = opencl_run(session, kernel, items, error);
+    report->trace_ms += clock_ms() - start;
+    return ok && add_counters(session, on_device, report, error);
+}
+
+bool opencl_warm_up(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel, Parameters parameters,
+                    RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    parameters.band_rows = 0;
+    parameters.ray_count = 0;
+    bool ok = write_launch(session, on_device, &parameters, error) && opencl_run(session, kernel, 1, error);
+    if (ok)
+        opencl_keep(session);
+    report->compile_ms += clock_ms() - start;
+    return ok;
+}

@@ -1,0 +1,33 @@
+/* A scene on a device, ready to be traced: buffers, kernels for its tree, launches and what they counted. */
+#ifndef RECTRAY_OPENCL_UPLOAD_H
+#define RECTRAY_OPENCL_UPLOAD_H
+
+#include "opencl/opencl_program.h"
+
+#include "kernels/shared/layout.h"
+
+typedef struct SceneOnDevice {
+    cl_mem parameters, faces, edges, planes, materials, lights, view, counters, tree_floats, tree_ints;
+} SceneOnDevice;
+
+/* From settings and a scene to a session with buffers and a program for its kernel; the session is to be closed also
+ * after a failure. Times, and a tree that was left out, go to the report. */
+bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings,
+                    SceneOnDevice *on_device, RenderReport *report, Error *error);
+
+/* What the kernels are told of the scene; the caller adds the band or the number of rays. */
+Parameters opencl_parameters(const Scene *scene);
+
+/* A launch without work: some devices compile a kernel when it first runs, and that is no part of tracing. Then the program
+ * is kept for later runs. */
+bool opencl_warm_up(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel, Parameters parameters,
+                    RenderReport *report, Error *error);
+
+/* Runs the kernel on at least `items` work-items; adds time and counters to the report. */
+bool opencl_launch(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel, const Parameters *parameters,
+                   size_t items, RenderReport *report, Error *error);
+
+/* Copies a buffer to the host; adds the time to the report. */
+bool opencl_read(OpenclSession *session, cl_mem buffer, size_t bytes, void *data, RenderReport *report, Error *error);
+
+#endif

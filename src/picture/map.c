@@ -1,0 +1,158 @@
+/* Maps. Numbers are found first, for the whole picture, and become colours when their range is known. */
+#include "picture/map.h"
+
+#include "base/clock.h"
+#include "picture/heat.h"
+#include "base/parallel.h"
+#include "trace/reference.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+
+#define NOTHING (-1.0) /* the value of a pixel whose ray leaves the scene; all others are >= 0 */
+
+typedef struct Map {
+    const Scene *scene;
+    const Accel *accel;
+    MapKind kind;
+    float *values;      /* one per pixel, for rays, time and depth */
+    unsigned char *rgb; /* at once, for normals and faces */
+    int next_row;
+    pthread_mutex_t lock; /* of next_row */
+} Map;
+
+/* --- One pixel --- */
+
+static double rays_or_time(const Map *map, int column, int row)
+{
+    RenderReport report = {0};
+    double start = clock_ms();
+    reference_pixel(&(Tracer){.scene = map->scene, .accel = map->accel, .report = &report}, column, row);
+    double ms = clock_ms() - start;
+    return map->kind == MAP_TIME ? ms : (double)(report.rays.primary + report.rays.shadow + report.rays.reflection);
+}
+
+/* The ray through the pixel's centre, and what it hits. */
+static CastHit centre_hit(const Map *map, int column, int row, Ray *ray)
+{
+    View view = view_of(map->scene);
+    RenderReport report = {0};
+    view.grid = 1;
+    *ray = (Ray){view.eye, view_direction(&view, column, row, 0, 0)};
+    return reference_nearest(&(Tracer){.scene = map->scene, .accel = map->accel, .report = &report}, *ray, -1);
+}
+
+static void put_colour(unsigned char *rgb, Vec3 c)
+{
+    rgb[0] = (unsigned char)floor(255 * c.x + 0.5);
+    rgb[1] = (unsigned char)floor(255 * c.y + 0.5);
+    rgb[2] = (unsigned char)floor(255 * c.z + 0.5);
+}
+
+/* Colours that differ for neighbouring numbers, none of them dark: three bytes of a multiplicative hash (Knuth 1997, section
+ * 6.4). */
+static Vec3 colour_of_number(int number)
+{
+    uint32_t hash = (uint32_t)number * 2654435769u;
+    hash = (hash ^ hash >> 15) * 2246822519u;
+    hash ^= hash >> 13;
+    return vec3(0.25 + 0.75 * (hash & 255) / 255, 0.25 + 0.75 * (hash >> 8 & 255) / 255,
+                0.25 + 0.75 * (hash >> 16 & 255) / 255);
+}
+
+static void map_pixel(const Map *map, int column, int row)
+{
+    size_t at = (size_t)row * (size_t)map->scene->screen.columns + (size_t)column;
+    if (map->kind == MAP_RAYS || map->kind == MAP_TIME) {
+        map->values[at] = (float)rays_or_time(map, column, row);
+        return;
+    }
+    Ray ray;
+    CastHit hit = centre_hit(map, column, row, &ray);
+    if (map->kind == MAP_DEPTH) {
+        map->values[at] = (float)(hit.face < 0 ? NOTHING : hit.t * vec3_length(ray.direction));
+    } else if (hit.face >= 0) {
+        Vec3 n = map->scene->planes[hit.face].normal;
+        if (vec3_dot(n, ray.direction) > 0)
+            n = vec3_negate(n);
+        put_colour(map->rgb + 3 * at, map->kind == MAP_FACE ? colour_of_number(map->scene->faces[hit.face].number)
+                                                            : vec3(0.5 + 0.5 * n.x, 0.5 + 0.5 * n.y, 0.5 + 0.5 * n.z));
+    }
+}
+
+/* --- All of them --- */
+
+static int take_row(Map *map)
+{
+    pthread_mutex_lock(&map->lock);
+    int row = map->next_row < map->scene->screen.rows ? map->next_row++ : -1;
+    pthread_mutex_unlock(&map->lock);
+    return row;
+}
+
+static void map_rows(void *argument)
+{
+    Map *map = argument;
+    for (int row; (row = take_row(map)) >= 0;)
+        for (int column = 0; column < map->scene->screen.columns; column++)
+            map_pixel(map, column, row);
+}
+
+static MapScale range_of(const float *values, size_t count)
+{
+    MapScale scale = {HUGE_VAL, 0};
+    for (size_t i = 0; i < count; i++)
+        if (values[i] >= 0) {
+            scale.low = fmin(scale.low, (double)values[i]);
+            scale.high = fmax(scale.high, (double)values[i]);
+        }
+    return scale.low <= scale.high ? scale : (MapScale){0, 0};
+}
+
+/* Where a value stands between the lowest (0) and the highest (1), by its logarithm: equal ratios look equal. */
+static double place_of(double value, MapScale scale)
+{
+    return scale.low > 0 && scale.high > scale.low ? log(value / scale.low) / log(scale.high / scale.low) : 0;
+}
+
+/* Rays and time are hot where they are many; depth is grey, and bright where it is near. */
+static void colour_value(unsigned char *rgb, MapKind kind, double value, MapScale scale)
+{
+    double place = place_of(value, scale), near = 1 - 0.85 * place;
+    if (kind != MAP_DEPTH)
+        heat_colour(place, rgb);
+    else if (value >= 0)
+        put_colour(rgb, vec3(near, near, near));
+}
+
+static MapScale colour_values(Map *map, size_t count)
+{
+    MapScale scale = range_of(map->values, count);
+    for (size_t i = 0; i < count; i++)
+        colour_value(map->rgb + 3 * i, map->kind, (double)map->values[i], scale);
+    return scale;
+}
+
+bool map_draw(Image *image, const Scene *scene, MapKind kind, AccelKind accel_kind, int threads, MapScale *scale, Error *error)
+{
+    size_t count = (size_t)scene->screen.columns * (size_t)scene->screen.rows;
+    bool colours = kind == MAP_NORMAL || kind == MAP_FACE;
+    *image = (Image){scene->screen.columns, scene->screen.rows, calloc(count, 3)};
+    Map map = {.scene = scene, .kind = kind, .rgb = image->rgb, .values = colours ? NULL : calloc(count, sizeof(float))};
+    if (!map.rgb || (!colours && !map.values)) {
+        free(map.values);
+        return error_memory(error, "the map");
+    }
+    Accel accel;
+    bool ok = accel_build(&accel, scene, accel_kind, threads, error);
+    if (ok) {
+        map.accel = &accel;
+        pthread_mutex_init(&map.lock, NULL);
+        parallel_run(parallel_threads(threads), map_rows, &map);
+        pthread_mutex_destroy(&map.lock);
+        *scale = colours ? (MapScale){0, 0} : colour_values(&map, count);
+    }
+    accel_free(&accel);
+    free(map.values);
+    return ok;
+}

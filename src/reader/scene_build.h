@@ -1,0 +1,74 @@
+/* Builds a Scene from what the readers find: objects, points and faces in world space, in double.
+ * The readers know files and places, the builder knows geometry: it gives a reason, they say where. At the end the scene
+ * is moved to its own centre and rounded once to float32. To add a kind of object, write a reader
+ * that calls build_object, build_point and build_face. */
+#ifndef RECTRAY_SCENE_BUILD_H
+#define RECTRAY_SCENE_BUILD_H
+
+#include "base/names.h"
+#include "scene/scene.h"
+#include "scene/shape.h"
+#include "scene/transform.h"
+
+/* No coordinate may be farther than this from the scene's centre: products of three such stay far inside a double. */
+#define BUILD_MAX_COORDINATE 1e12
+
+/* What holds for all faces of one object. */
+typedef struct BuildObject {
+    Transform transform;
+    int material; /* -1: none */
+    bool front_only, split;
+    bool mirrored; /* set by build_object: the transform turns a right hand into a left one */
+    int first_point;
+    int first_number; /* how the file counts its vertices: from 0, an OBJ from 1 */
+} BuildObject;
+
+/* A face before it is rounded: four numbers of points instead of four points. */
+typedef struct BuildFace {
+    int points[4];
+    int vertex_count, number, object, material, front_only;
+    int place; /* the reader's: an index in a list, or a line of a file */
+} BuildFace;
+
+typedef struct SceneBuild {
+    Scene *scene;
+    Error *error;
+    Names materials; /* the scene file's, by name */
+    Vec3 *points;
+    int point_count, point_capacity;
+    BuildFace *faces;
+    int face_count, face_capacity;
+    int object_capacity, material_capacity;
+    int next_number;        /* of a face */
+    BuildObject object;     /* the one being built */
+    char reason[256];       /* why the last call failed, where the error says nothing */
+    const BuildFace *fault; /* the face that build_finish failed at; NULL: the camera, or */
+    int fault_light;        /* this light, -1: none */
+} SceneBuild;
+
+/* Functions that can fail return false (or -1) and leave a reason; without memory they fill the error instead. */
+
+/* Copies the name. Returns the material's index, or -1 without memory. */
+int build_material(SceneBuild *build, Material material);
+
+/* Begins an object; the points and faces that follow are its. The name is copied. */
+bool build_object(SceneBuild *build, const char *name, BuildObject object);
+
+/* Adds a vertex, which the object's transform moves into the world. Fails when it is no longer finite. */
+bool build_point(SceneBuild *build, Vec3 point);
+
+int build_point_count(const SceneBuild *build); /* of the object */
+
+/* Adds a face of 3 or 4 of the object's points (all must exist), after checking its shape. material -1: the object's. */
+bool build_face(SceneBuild *build, const int *vertices, int count, int material, int place);
+
+/* Adds the six faces of an axis-parallel box (before the transform) in the order -x, +x, -y, +y, -z, +z, wound outward, also
+ * where the transform mirrors. low < high on every axis. */
+bool build_box(SceneBuild *build, Vec3 low, Vec3 high);
+
+/* Moves faces, camera and lights to the scene's centre, rounds the faces and computes their planes. */
+bool build_finish(SceneBuild *build);
+
+void build_free(SceneBuild *build);
+
+#endif

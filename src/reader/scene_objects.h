@@ -1,0 +1,14 @@
+/* The "objects" of a scene file: vertices and faces, boxes and models, with their transforms. */
+#ifndef RECTRAY_SCENE_OBJECTS_H
+#define RECTRAY_SCENE_OBJECTS_H
+
+#include "json/json.h"
+#include "reader/scene_build.h"
+
+/* Adds each object of the list, in order. */
+bool objects_read(const Json *json, const cJSON *objects, SceneBuild *build);
+
+/* Reports the face that build_finish failed at, with its place in the scene file or in the model. */
+bool objects_fail_face(const Json *json, const cJSON *objects, const SceneBuild *build);
+
+#endif

@@ -1,0 +1,43 @@
+/* What a scene owns, and the two numbers that follow from it. */
+#include "scene/scene.h"
+
+#include <stdlib.h>
+
+void scene_free(Scene *scene)
+{
+    for (int i = 0; i < scene->material_count; i++)
+        free(scene->materials[i].name);
+    for (int i = 0; i < scene->object_count; i++)
+        free(scene->objects[i].name);
+    free(scene->lights);
+    free(scene->materials);
+    free(scene->objects);
+    free(scene->faces);
+    free(scene->planes);
+    *scene = (Scene){0};
+}
+
+double screen_height(const Screen *screen)
+{
+    return screen->height > 0 ? screen->height : screen->width * screen->rows / screen->columns;
+}
+
+static double round_to(double step, double x)
+{
+    return floor(x / step + 0.5) * step;
+}
+
+Vec3 scene_centre(Vec3 low, Vec3 high)
+{
+    Vec3 middle = vec3_add(vec3_scale(0.5, low), vec3_scale(0.5, high));
+    Vec3 half = vec3_sub(vec3_scale(0.5, high), vec3_scale(0.5, low));
+    double size = 2 * fmax(half.x, fmax(half.y, half.z));
+    /* The factor keeps boxes of a round size (1, 2, 4 ...) away from the jump between two powers of two, so that a
+     * translation that rounds the size up or down by an ulp does not change the step. */
+    int exponent;
+    frexp(1.37 * size, &exponent);
+    double step = ldexp(1, exponent - 11);
+    if (size == 0 || step == 0)
+        return middle;
+    return vec3(round_to(step, middle.x), round_to(step, middle.y), round_to(step, middle.z));
+}

@@ -1,0 +1,11 @@
+/* Whole pictures with the reference tracer: rows shared out to threads, bands handed on in order. */
+#ifndef RECTRAY_REFERENCE_RENDER_H
+#define RECTRAY_REFERENCE_RENDER_H
+
+#include "trace/render.h"
+#include "scene/scene.h"
+
+/* Renders the scene; the bytes do not depend on the number of threads. False with an Error when memory or the sink fails. */
+bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error);
+
+#endif

@@ -1,0 +1,79 @@
+/* What both backends take and give: settings, counters, and bands of finished pixels.
+ * A backend renders rows from the top and hands them on as they are done, so that a picture larger than
+ * the memory can be written. */
+#ifndef RECTRAY_RENDER_H
+#define RECTRAY_RENDER_H
+
+#include "base/error.h"
+
+#include "kernels/shared/skips.h"
+
+#include <stdint.h>
+
+typedef enum Backend { BACKEND_OPENCL, BACKEND_REFERENCE } Backend;
+typedef enum Precision { PRECISION_FLOAT, PRECISION_DOUBLE } Precision;
+/* What a map of a picture shows of each pixel: map.h. */
+typedef enum MapKind {
+    MAP_RAYS,   /* rays traced for it, of all kinds */
+    MAP_TIME,   /* milliseconds */
+    MAP_DEPTH,  /* how far the ray through its centre goes */
+    MAP_NORMAL, /* of the face that this ray hits, on its side */
+    MAP_FACE,   /* that face */
+} MapKind;
+
+typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH } AccelKind;
+
+/* Told of what takes long before there is a picture, such as "compiling ...": a few words, without a newline. */
+typedef struct Notice {
+    void (*tell)(void *user, const char *text); /* NULL: nobody listens */
+    void *user;
+} Notice;
+
+typedef struct RenderSettings {
+    Precision precision; /* of the kernel; the reference is always double */
+    AccelKind accel;
+    int threads;         /* 0: one per processor */
+    int device;          /* number in the list of `rectray devices`; -1: the default */
+    int lanes;           /* rays per work-item: 1, 4, 8 or 16; 0: what suits the device */
+    unsigned no_skip;    /* bit SKIP_...: that work is done although the scene does not need it */
+    Notice notice;
+    double *linear;      /* rows * columns * 3 colours, which a backend fills before they are clamped; NULL: not wanted */
+} RenderSettings;
+
+typedef struct RayCounts {
+    uint64_t primary, shadow, reflection;
+} RayCounts;
+
+/* What a backend measured; zero where it has nothing to tell. Times are milliseconds of wall clock. */
+typedef struct RenderReport {
+    double build_ms;    /* acceleration structures */
+    double upload_ms;
+    double device_ms;   /* finding and opening the device */
+    double compile_ms;  /* building the kernel */
+    double trace_ms;
+    double readback_ms;
+    RayCounts rays;
+    uint64_t box_tests, face_tests;
+    uint64_t refined_pixels; /* by adaptive sampling: those that got more than their centre */
+    uint64_t skipped[SKIPS]; /* what was left out, by kind: skips.h says in what it is counted */
+    uint64_t device_bytes;   /* of the scene and its tree in the device's memory */
+    int lanes, threads;
+    AccelKind accel;         /* the one used */
+    char device[128];
+    char build_options[320];
+} RenderReport;
+
+/* Receives finished rows: rgb holds rows * columns * 3 bytes. Bands come from the top, without gaps. `so_far` tells what
+ * the backend has done up to this band. Returns false, with the error filled, to stop the rendering. */
+typedef struct BandSink {
+    bool (*band)(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far, Error *error);
+    void *user;
+} BandSink;
+
+/* One intersection, for `cast`: face is an index into Scene.faces, -1 for a miss. */
+typedef struct CastHit {
+    int face;
+    double t;
+} CastHit;
+
+#endif

@@ -1,0 +1,39 @@
+/* Work that a scene does not need and that is left out: each kind has a name, a count and a switch, so that what it buys can
+ * be measured. None changes a byte of a picture. docs/performance.md has the figures. */
+#ifndef RECTRAY_SKIP_H
+#define RECTRAY_SKIP_H
+
+#include "trace/render.h"
+#include "scene/scene.h"
+
+typedef struct SkipText {
+    const char *name;  /* of --no-skip and in the JSON of --stats */
+    const char *words; /* in the table of --stats */
+} SkipText;
+
+extern const SkipText skip_texts[SKIPS]; /* by SKIP_... of kernels/skips.h */
+
+/* Is that work to be left out? */
+bool skip_wanted(const RenderSettings *settings, int skip);
+
+/* A scene without what cannot matter to any pixel, for rendering. It shares the rest with the scene that it was made from, which
+ * must outlive it, and which it is a plain copy of where there is nothing to leave out. */
+typedef struct LeanScene {
+    Scene scene;
+    Light *lights; /* its own, or NULL */
+    Face *faces;
+    Plane *planes;
+} LeanScene;
+
+/* Makes it, and counts in the report what was left out. False without memory; lean_scene_free may be called in any case. */
+bool lean_scene_make(LeanScene *lean, const Scene *scene, const RenderSettings *settings, RenderReport *report, Error *error);
+
+void lean_scene_free(LeanScene *lean);
+
+/* Marks the faces of closed boxes: six two-sided faces in a row in the scene, flat across the axes, that enclose a box which the
+ * camera and all lights are outside of. A ray from outside meets a front of it before, or at, any back. closed: one per face,
+ * zeroed by the caller: 1 + 2 axis for the low side of a box, one more for the high one. docs/algorithm.md has the proof
+ * that backs need not be asked. */
+void skip_closed_boxes(const Scene *scene, unsigned char *closed);
+
+#endif

@@ -1,0 +1,190 @@
+/* One orthographic view of a scene as a panel of an SVG drawing. */
+#include "walkthrough/svg_view.h"
+
+#include "scene/geometry.h"
+
+#include <string.h>
+
+#define MARGIN 0.12 /* of the window, around what must be seen */
+
+static const struct {
+    const char *title, *x, *y;
+} directions[] = {
+    {"seen from above", "x", "z"}, /* z runs downwards, as on a map whose reader stands in front */
+    {"seen from the side", "z", "y"},
+    {"seen from the front", "x", "y"},
+};
+
+SvgPoint svg_flatten(SvgDirection direction, Vec3 p)
+{
+    if (direction == SVG_FROM_ABOVE)
+        return (SvgPoint){p.x, -p.z};
+    return direction == SVG_FROM_SIDE ? (SvgPoint){p.z, p.y} : (SvgPoint){p.x, p.y};
+}
+
+/* Where a position is on the paper. */
+static SvgPoint project(const SvgView *view, Vec3 p)
+{
+    SvgPoint flat = svg_flatten(view->direction, p);
+    double x = view->box.left + (flat.x - view->left) * view->scale;
+    double y = view->box.bottom - (flat.y - view->bottom) * view->scale;
+    /* Far outside the panel a smaller number does as well, and drawing programs can read it. */
+    return (SvgPoint){fmin(fmax(x, -1e5), 1e5), fmin(fmax(y, -1e5), 1e5)};
+}
+
+/* --- Axes --- */
+
+/* The smallest of 1, 2, 5, 10, 20, ... (or 0.5, 0.2, ...) that is not below the given number. */
+static double round_step(double at_least)
+{
+    double power = pow(10, floor(log10(at_least)));
+    double m = at_least / power;
+    return (m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10) * power;
+}
+
+/* A line of the grid with its number: `along` is its place along the axis, on the paper. */
+static void draw_tick(const SvgView *view, bool vertical, double along, double value)
+{
+    const SvgBox *box = &view->box;
+    if (vertical)
+        fprintf(view->out,
+                "<path class='grid' d='M%.1f %.1fV%.1f'/><text class='tick' x='%.1f' y='%.1f' "
+                "text-anchor='middle'>%g</text>\n",
+                along, box->top, box->bottom, along, box->bottom + 14, value);
+    else
+        fprintf(view->out,
+                "<path class='grid' d='M%.1f %.1fH%.1f'/><text class='tick' x='%.1f' y='%.1f' "
+                "text-anchor='end'>%g</text>\n",
+                box->left, along, box->right, box->left - 5, along + 4, value);
+}
+
+static void draw_axis(const SvgView *view, bool vertical)
+{
+    const SvgBox *box = &view->box;
+    double length = (vertical ? box->right - box->left : box->bottom - box->top) / view->scale;
+    double start = vertical ? view->left : view->bottom;
+    double step = round_step(length / 8);
+    bool flipped = !vertical && view->direction == SVG_FROM_ABOVE; /* the axis is z, which runs downwards */
+    double first = ceil(start / step) * step;
+    for (int k = 0; first + k * step <= start + length; k++) {
+        double pixels = (first + k * step - start) * view->scale;
+        double value = round(first / step + k) * step * (flipped ? -1 : 1);
+        draw_tick(view, vertical, vertical ? box->left + pixels : box->bottom - pixels, value == 0 ? 0 : value);
+    }
+}
+
+static void draw_axes(const SvgView *view)
+{
+    const SvgBox *box = &view->box;
+    draw_axis(view, true);
+    draw_axis(view, false);
+    const char *x = directions[view->direction].x, *y = directions[view->direction].y;
+    bool down = view->direction == SVG_FROM_ABOVE;
+    fprintf(view->out, "<text class='axis' x='%.1f' y='%.1f' text-anchor='end'>%s \xE2\x86\x92</text>\n", box->right,
+            box->bottom + 30, x);
+    fprintf(view->out, "<text class='axis' x='%.1f' y='%.1f' text-anchor='end'>%s %s</text>\n", box->left - 5,
+            down ? box->bottom + 30 : box->top - 10, y, down ? "\xE2\x86\x93" : "\xE2\x86\x91");
+    fprintf(view->out, "<text class='title' x='%.1f' y='%.1f'>%s</text>\n", box->left + 4, box->top - 10,
+            directions[view->direction].title);
+}
+
+void svg_view_begin(SvgView *view, FILE *out, SvgDirection direction, SvgBox box, SvgPoint low, SvgPoint high)
+{
+    double width = high.x - low.x, height = high.y - low.y, larger = fmax(width, height);
+    double least = larger > 0 ? larger : 1;
+    width = fmax(width, least / 1e3) + 2 * MARGIN * least;
+    height = fmax(height, least / 1e3) + 2 * MARGIN * least;
+    double scale = fmin((box.right - box.left) / width, (box.bottom - box.top) / height);
+    *view = (SvgView){.out = out, .direction = direction, .box = box, .scale = scale};
+    view->left = (low.x + high.x) / 2 - (box.right - box.left) / scale / 2;
+    view->bottom = (low.y + high.y) / 2 - (box.bottom - box.top) / scale / 2;
+    fprintf(out, "<rect class='paper' x='%.1f' y='%.1f' width='%.1f' height='%.1f'/>\n", box.left, box.top,
+            box.right - box.left, box.bottom - box.top);
+    draw_axes(view);
+    fprintf(out, "<g clip-path='url(#panel%d)'>\n", direction);
+}
+
+/* --- What is in it --- */
+
+void svg_face(const SvgView *view, const Scene *scene, int face, const char *style)
+{
+    SvgPoint corners[4];
+    SvgBox around = {1e9, 1e9, -1e9, -1e9};
+    int count = scene->faces[face].vertex_count;
+    for (int k = 0; k < count; k++) {
+        corners[k] = project(view, vec3_add(face_vertex(&scene->faces[face], k), scene->centre));
+        around.left = fmin(around.left, corners[k].x);
+        around.right = fmax(around.right, corners[k].x);
+        around.top = fmin(around.top, corners[k].y);
+        around.bottom = fmax(around.bottom, corners[k].y);
+    }
+    if (around.right < view->box.left || around.left > view->box.right || around.bottom < view->box.top ||
+        around.top > view->box.bottom)
+        return;
+    fprintf(view->out, "<path %s d='M", style);
+    for (int k = 0; k < count; k++)
+        fprintf(view->out, "%.1f %.1f%s", corners[k].x, corners[k].y, k < count - 1 ? "L" : "Z'/>\n");
+}
+
+void svg_line(SvgView *view, Vec3 from, Vec3 to, const char *style)
+{
+    SvgPoint a = project(view, from), b = project(view, to);
+    fprintf(view->out, "<path %s d='M%.1f %.1fL%.1f %.1f'/>\n", style, a.x, a.y, b.x, b.y);
+    if (view->line_count < SVG_LINES_MAX)
+        view->lines[view->line_count++] = (SvgBox){a.x, a.y, b.x, b.y};
+}
+
+void svg_cross(const SvgView *view, Vec3 p, const char *colour)
+{
+    SvgPoint at = project(view, p);
+    fprintf(view->out, "<path stroke='%s' stroke-width='2' d='M%.1f %.1fl10 10m0 -10l-10 10'/>\n", colour, at.x - 5,
+            at.y - 5);
+}
+
+/* Adds a name to a label that another mark has already. */
+static void join_label(SvgLabel *label, const char *text)
+{
+    size_t used = strlen(label->text), room = sizeof label->text - 4;
+    if (used + 2 + strlen(text) < room)
+        snprintf(label->text + used, sizeof label->text - used, ", %s", text);
+    else if (!strchr(label->text, '.'))
+        snprintf(label->text + used, sizeof label->text - used, "...");
+}
+
+bool svg_is_seen(const SvgView *view, Vec3 p)
+{
+    SvgPoint at = project(view, p);
+    return at.x >= view->box.left && at.x <= view->box.right && at.y >= view->box.top && at.y <= view->box.bottom;
+}
+
+/* Where the way from a point that is seen to one that is not leaves the panel, but for some pixels. */
+static SvgPoint way_out(const SvgBox *box, SvgPoint from, SvgPoint to)
+{
+    const double inset = 8;
+    double dx = to.x - from.x, dy = to.y - from.y, t = 1;
+    if (dx != 0)
+        t = fmin(t, ((dx > 0 ? box->right - inset : box->left + inset) - from.x) / dx);
+    if (dy != 0)
+        t = fmin(t, ((dy > 0 ? box->bottom - inset : box->top + inset) - from.y) / dy);
+    return (SvgPoint){from.x + t * dx, from.y + t * dy};
+}
+
+void svg_mark(SvgView *view, Vec3 p, Vec3 seen_from, const char *text, const char *colour)
+{
+    SvgPoint at = project(view, p);
+    if (!svg_is_seen(view, p))
+        at = way_out(&view->box, project(view, seen_from), at);
+    else
+        fprintf(view->out, "<circle cx='%.1f' cy='%.1f' r='4' fill='%s' stroke='#fff'/>\n", at.x, at.y, colour);
+    for (int i = 0; i < view->label_count; i++)
+        if (hypot(view->labels[i].at.x - at.x, view->labels[i].at.y - at.y) <= 6) {
+            join_label(&view->labels[i], text);
+            return;
+        }
+    if (view->label_count == SVG_LABELS_MAX)
+        return;
+    SvgLabel *label = &view->labels[view->label_count++];
+    *label = (SvgLabel){.at = at, .colour = colour};
+    snprintf(label->text, sizeof label->text - 4, "%s", text);
+    view->taken[view->taken_count++] = (SvgBox){at.x - 6, at.y - 6, at.x + 6, at.y + 6};
+}

@@ -1,0 +1,69 @@
+/* One orthographic view of a scene as a panel of an SVG drawing: axes, faces, lines, marks, and labels that keep out of
+ * each other's way. */
+#ifndef RECTRAY_SVG_VIEW_H
+#define RECTRAY_SVG_VIEW_H
+
+#include "scene/scene.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum { SVG_LABELS_MAX = 200, SVG_LINES_MAX = 400 };
+
+typedef struct SvgPoint {
+    double x, y;
+} SvgPoint;
+
+typedef enum SvgDirection { SVG_FROM_ABOVE, SVG_FROM_SIDE, SVG_FROM_FRONT, SVG_DIRECTION_COUNT } SvgDirection;
+
+/* A box of the paper, in pixels, y downwards. */
+typedef struct SvgBox {
+    double left, top, right, bottom;
+} SvgBox;
+
+typedef struct SvgLabel {
+    SvgPoint at; /* of the mark it belongs to */
+    char text[24];
+    const char *colour;
+} SvgLabel;
+
+typedef struct SvgView {
+    FILE *out;
+    SvgDirection direction;
+    SvgBox box;
+    double left, bottom; /* of the window, in the scene's units */
+    double scale;        /* pixels per unit */
+    SvgLabel labels[SVG_LABELS_MAX];
+    int label_count;
+    SvgBox taken[2 * SVG_LABELS_MAX]; /* by marks and labels, where no label should be */
+    int taken_count;
+    SvgBox lines[SVG_LINES_MAX]; /* from (left, top) to (right, bottom), which labels should not cross */
+    int line_count;
+} SvgView;
+
+/* What a view shows of a position: x to the right, y upwards, in the scene's units. */
+SvgPoint svg_flatten(SvgDirection direction, Vec3 p);
+
+/* Begins a panel that shows the window from low to high (flattened) with a margin, its units square. */
+void svg_view_begin(SvgView *view, FILE *out, SvgDirection direction, SvgBox box, SvgPoint low, SvgPoint high);
+
+/* A face with an SVG style. Faces that are wholly outside the window are left out. */
+void svg_face(const SvgView *view, const Scene *scene, int face, const char *style);
+
+/* Labels keep off the line. */
+void svg_line(SvgView *view, Vec3 from, Vec3 to, const char *style);
+
+/* Whether the panel's window holds the position. */
+bool svg_is_seen(const SvgView *view, Vec3 p);
+
+/* A filled dot, and the label that will stand beside it; marks at the same place share one. Of a position outside the
+ * window only the label is shown, where the line from `seen_from` leaves. */
+void svg_mark(SvgView *view, Vec3 p, Vec3 seen_from, const char *label, const char *colour);
+
+/* A small cross where a shadow ray is stopped. */
+void svg_cross(const SvgView *view, Vec3 p, const char *colour);
+
+/* Places the labels (svg_label.c) and ends the panel. */
+void svg_view_end(SvgView *view);
+
+#endif

@@ -1,0 +1,73 @@
+/* The walkthrough as JSON: one document with what holds for the whole scene, then the events, one a line, in the order in
+ * which they happened. Events are printed as they are made, so that the longest list takes no memory of its own.
+ * docs/walkthrough.schema.json describes every member. */
+#include "walkthrough/walkthrough_json.h"
+#include "walkthrough/walkthrough_formats.h"
+
+/* Prints the object on one line and deletes it. */
+static void print_object(FILE *out, cJSON *object, bool *failed)
+{
+    char *text = *failed ? NULL : cJSON_PrintUnformatted(object);
+    if (text)
+        fputs(text, out);
+    *failed = !text;
+    cJSON_free(text);
+    cJSON_Delete(object);
+}
+
+static cJSON *request_json(const Walkthrough *walk, bool *failed)
+{
+    const WalkRequest *request = &walk->request;
+    Node node = node_new(failed);
+    node_number(node, "column", request->column);
+    node_number(node, "row", request->row);
+    node_number(node, "i", request->i);
+    node_number(node, "j", request->j);
+    node_bool(node, "verbose", request->verbose);
+    return node.object;
+}
+
+static cJSON *scene_json(const Walkthrough *walk, bool *failed)
+{
+    const Scene *scene = walk->scene;
+    View view = view_of(scene);
+    Node node = node_new(failed);
+    node_text(node, "file", walk->scene_name);
+    node_number(node, "columns", view.columns);
+    node_number(node, "rows", view.rows);
+    node_number(node, "width", view.width);
+    node_number(node, "height", view.height);
+    node_number(node, "grid", walk->grid);
+    node_bool(node, "adaptive", scene->adaptive);
+    node_vector(node, "camera", walk_world(scene, view.eye));
+    node_vector(node, "distance_f", view.forward);
+    node_vector(node, "r", view.right);
+    node_vector(node, "u", view.up);
+    node_vector(node, "centre", scene->centre);
+    node_number(node, "faces", scene->face_count);
+    node_number(node, "lights", scene->light_count);
+    node_text(node, "shadow", scene->shading.shadow == SHADOW_BLACK ? "black" : "ambient");
+    node_text(node, "viewer", scene->shading.viewer == VIEWER_CAMERA ? "camera" : "ray");
+    node_number(node, "max_bounces", scene->shading.max_bounces);
+    node_vector(node, "background", scene->shading.background);
+    return node.object;
+}
+
+bool walkthrough_write_json(FILE *out, const Walkthrough *walk, WalkStyle style, Error *error)
+{
+    (void)style;
+    bool failed = false;
+    fprintf(out, "{\"walkthrough\":1,\n\"pixel\":");
+    print_object(out, request_json(walk, &failed), &failed);
+    fprintf(out, ",\n\"scene\":");
+    print_object(out, scene_json(walk, &failed), &failed);
+    fprintf(out, ",\n\"events\":[");
+    WalkPlace place = {0};
+    for (long i = 0; i < walk->count && !failed; i++) {
+        walk_follow(&place, walk, &walk->events[i]);
+        fprintf(out, i > 0 ? ",\n" : "\n");
+        print_object(out, walk_event_json(walk, &place, &walk->events[i], &failed), &failed);
+    }
+    fprintf(out, "\n]}\n");
+    return failed ? error_memory(error, "the walkthrough") : true;
+}

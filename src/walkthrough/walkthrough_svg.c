@@ -1,0 +1,264 @@
+/* The walkthrough as an SVG drawing: the scene and the path in two orthographic views, the two that show most of it.
+ * The hits are P1, P2, ... as in the text. Primary and reflected rays are solid, shadow rays thin, and those that a face
+ * stops dashed up to the light that they do not reach. */
+#include "walkthrough/ink.h"
+#include "walkthrough/svg_view.h"
+#include "walkthrough/walkthrough_formats.h"
+#include "walkthrough/walkthrough_lines.h"
+
+#include <string.h>
+
+enum { WIDTH = 1100, LIGHTS_MAX = 100, FACES_MAX = 5000, CAPTIONS_TOP = 592, CAPTION_HEIGHT = 19, CAPTIONS_MAX = 8 };
+
+#define FAR_LIGHT 1.5 /* farther from the path than so many of its sizes, a light is outside the window */
+
+static const SvgBox panels[2] = {{60, 90, 535, 500}, {605, 90, 1080, 500}};
+
+static const char *const colours[] = {
+    [LINE_PRIMARY] = "#1f5fa8", [LINE_REFLECTED] = "#b5449a", [LINE_SHADOW] = "#c98a00",
+    [LINE_BLOCKED] = "#c0392b", [LINE_NORMAL] = "#3a9a5b",    [LINE_SHIFT] = "none",
+};
+
+/* --- What must be seen --- */
+
+typedef struct Extent {
+    Vec3 low, high;
+    double lengths[SVG_DIRECTION_COUNT]; /* of the lines, as each view shows them */
+    double farthest_light;               /* from the first hit; lights beyond are not looked at */
+} Extent;
+
+static void include(Extent *extent, Vec3 p)
+{
+    extent->low = vec3(fmin(extent->low.x, p.x), fmin(extent->low.y, p.y), fmin(extent->low.z, p.z));
+    extent->high = vec3(fmax(extent->high.x, p.x), fmax(extent->high.y, p.y), fmax(extent->high.z, p.z));
+}
+
+static void measure_line(Extent *extent, Vec3 from, Vec3 to)
+{
+    include(extent, from);
+    include(extent, to);
+    for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++) {
+        SvgPoint a = svg_flatten(k, from), b = svg_flatten(k, to);
+        extent->lengths[k] += hypot(b.x - a.x, b.y - a.y);
+    }
+}
+
+/* The path itself; of a ray that leaves the scene the first part. */
+static void measure_path(void *user, const WalkLine *line)
+{
+    Vec3 way = vec3_sub(line->to, line->from);
+    if (line->kind == LINE_PRIMARY || line->kind == LINE_REFLECTED)
+        measure_line(user, line->from, vec3_add(line->from, vec3_scale(line->leaves ? 0.4 : 1, way)));
+}
+
+static void measure_light(void *user, const WalkLine *line)
+{
+    Extent *extent = user;
+    bool shadow = line->kind == LINE_SHADOW || line->kind == LINE_BLOCKED;
+    if (shadow && vec3_length(vec3_sub(line->to, line->from)) <= extent->farthest_light)
+        measure_line(extent, line->from, line->to);
+}
+
+static Extent measure(const Walkthrough *walk)
+{
+    Vec3 camera = walk_world(walk->scene, walk->scene->camera.position);
+    Extent extent = {.low = camera, .high = camera};
+    walk_lines(walk, measure_path, &extent);
+    extent.farthest_light = FAR_LIGHT * vec3_length(vec3_sub(extent.high, extent.low));
+    walk_lines(walk, measure_light, &extent);
+    return extent;
+}
+
+/* The view that shows least of the path is left out. */
+static SvgDirection least_telling(const Extent *extent)
+{
+    SvgDirection least = SVG_FROM_FRONT;
+    for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++)
+        if (extent->lengths[k] < extent->lengths[least] * (1 - 1e-9))
+            least = k;
+    return least;
+}
+
+/* --- A panel --- */
+
+typedef struct Painter {
+    SvgView view;
+    const Walkthrough *walk;
+    bool lights_marked[LIGHTS_MAX];
+} Painter;
+
+static void draw_faces(const Painter *painter)
+{
+    const Walkthrough *walk = painter->walk;
+    for (int i = 0; i < walk->scene->face_count && walk->scene->face_count <= FACES_MAX; i++)
+        svg_face(&painter->view, walk->scene, i, "class='face'");
+    WalkPlace place = {0};
+    for (long i = 0; i < walk->count; i++) {
+        const Event *event = &walk->events[i];
+        walk_follow(&place, walk, event);
+        if (place.told && event->kind == EVENT_HIT)
+            svg_face(&painter->view, walk->scene, event->as.hit.face, "class='hit'");
+        else if (place.told && event->kind == EVENT_LIGHT_END && event->as.light_end.blocker >= 0)
+            svg_face(&painter->view, walk->scene, event->as.light_end.blocker, "class='blocker'");
+    }
+}
+
+static void draw_line(void *user, const WalkLine *line)
+{
+    static const char *const styles[] = {
+        [LINE_PRIMARY] = "class='primary' marker-end='url(#to1)'",
+        [LINE_REFLECTED] = "class='reflected' marker-end='url(#to2)'",
+        [LINE_SHADOW] = "class='shadow'",
+        [LINE_BLOCKED] = "class='blocked'",
+        [LINE_NORMAL] = "class='normal' marker-end='url(#to3)'",
+    };
+    Painter *painter = user;
+    if (line->kind == LINE_SHIFT)
+        return;
+    svg_line(&painter->view, line->from, line->to, styles[line->kind]);
+    if (line->kind == LINE_BLOCKED)
+        svg_cross(&painter->view, line->stop, colours[LINE_BLOCKED]);
+}
+
+static void draw_mark(void *user, const WalkLine *line)
+{
+    Painter *painter = user;
+    SvgView *view = &painter->view;
+    if (line->kind == LINE_PRIMARY)
+        svg_mark(view, line->from, line->from, "C", "#222");
+    if (line->kind == LINE_NORMAL)
+        svg_mark(view, line->from, line->from, ink_text("P%d", line->hit).text, "#222");
+    if ((line->kind != LINE_SHADOW && line->kind != LINE_BLOCKED) || line->light >= LIGHTS_MAX)
+        return;
+    if (painter->lights_marked[line->light] && svg_is_seen(view, line->to))
+        return; /* from another hit */
+    painter->lights_marked[line->light] = true;
+    const char *words = svg_is_seen(view, line->to) ? "light %d" : "to light %d";
+    svg_mark(view, line->to, line->from, ink_text(words, line->light).text, "#a87400");
+}
+
+static void draw_panel(FILE *out, const Walkthrough *walk, SvgDirection direction, SvgBox box, const Extent *extent)
+{
+    Painter painter = {.walk = walk};
+    SvgPoint a = svg_flatten(direction, extent->low), b = svg_flatten(direction, extent->high);
+    SvgPoint low = {fmin(a.x, b.x), fmin(a.y, b.y)}, high = {fmax(a.x, b.x), fmax(a.y, b.y)};
+    fprintf(out, "<clipPath id='panel%d'><rect x='%.1f' y='%.1f' width='%.1f' height='%.1f'/></clipPath>\n", direction,
+            box.left, box.top, box.right - box.left, box.bottom - box.top);
+    svg_view_begin(&painter.view, out, direction, box, low, high);
+    draw_faces(&painter);
+    walk_lines(walk, draw_line, &painter);
+    walk_lines(walk, draw_mark, &painter);
+    svg_view_end(&painter.view);
+}
+
+/* --- The sheet --- */
+
+/* Text with the characters that mean something to XML put in their own words. */
+static void print_escaped(FILE *out, const char *text)
+{
+    for (; *text; text++)
+        if (*text == '&' || *text == '<' || *text == '>' || *text == '\'' || *text == '"')
+            fprintf(out, "&#%d;", *text);
+        else
+            fputc(*text, out);
+}
+
+static int count_captions(const Walkthrough *walk)
+{
+    WalkPlace place = {0};
+    int count = 0;
+    for (long i = 0; i < walk->count; i++) {
+        walk_follow(&place, walk, &walk->events[i]);
+        count += place.told && walk->events[i].kind == EVENT_HIT && count < CAPTIONS_MAX;
+    }
+    return count;
+}
+
+static void draw_head(FILE *out, const Walkthrough *walk)
+{
+    const unsigned char *rgb = walk->events[walk->count - 1].as.pixel.rgb;
+    int height = CAPTIONS_TOP + CAPTION_HEIGHT * count_captions(walk) + 4;
+    fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' viewBox='0 0 %d %d'>\n<title>", WIDTH,
+            height, WIDTH, height);
+    fprintf(out, "Pixel (%d, %d)</title>\n", walk->request.column, walk->request.row);
+    fprintf(out, "<style>\ntext{font:13px 'DejaVu Sans',Verdana,sans-serif;fill:#333}\n"
+                 ".big{font-size:18px;font-weight:bold}.title{font-weight:bold}.tick{font-size:11px;fill:#777}\n"
+                 ".label{font-weight:bold;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}\n"
+                 "path{fill:none}.paper{fill:#fff}.frame{fill:none;stroke:#999}.grid{stroke:#eee}\n"
+                 ".face{fill:#8899aa;fill-opacity:.07;stroke:#8899aa;stroke-opacity:.6}\n"
+                 ".hit{fill:#3a9a5b;fill-opacity:.18;stroke:#3a9a5b;stroke-width:1.5}\n"
+                 ".blocker{fill:#c0392b;fill-opacity:.15;stroke:#c0392b;stroke-width:1.5}\n");
+    static const char *const names[] = {"primary", "reflected", "shadow", "blocked", "normal"};
+    static const char *const widths[] = {"2.4", "2.4", "1.4", "1.4;stroke-dasharray:6 5", "1.6"};
+    for (int k = LINE_PRIMARY; k < LINE_SHIFT; k++)
+        fprintf(out, ".%s{stroke:%s;stroke-width:%s}\n", names[k], colours[k], widths[k]);
+    fprintf(out, "</style>\n<rect width='%d' height='%d' fill='#fafafa'/>\n", WIDTH, height);
+    static const WalkLineKind tipped[] = {LINE_PRIMARY, LINE_REFLECTED, LINE_NORMAL};
+    for (int k = 0; k < 3; k++)
+        fprintf(out,
+                "<marker id='to%d' viewBox='0 0 10 10' refX='9' refY='5' markerWidth='5' markerHeight='5' "
+                "orient='auto'><path d='M0 0L10 5L0 10z' style='fill:%s'/></marker>\n",
+                k + 1, colours[tipped[k]]);
+    fprintf(out, "<text class='big' x='60' y='40'>Pixel (%d, %d) of ", walk->request.column, walk->request.row);
+    print_escaped(out, ink_name(walk->scene_name, 50).text);
+    fprintf(out, "</text>\n<text x='1050' y='40' text-anchor='end'>(%d, %d, %d)</text>\n", rgb[0], rgb[1], rgb[2]);
+    fprintf(out, "<rect x='1058' y='24' width='22' height='22' stroke='#999' fill='rgb(%d,%d,%d)'/>\n", rgb[0], rgb[1],
+            rgb[2]);
+}
+
+static void draw_legend(FILE *out)
+{
+    static const struct {
+        int x;
+        const char *line, *words;
+    } entries[] = {{60, "primary", "primary ray"},
+                   {225, "reflected", "reflected ray"},
+                   {405, "shadow", "to a light that reaches"},
+                   {650, "blocked", "to a light that is blocked"},
+                   {915, "normal", "normal N"}};
+    for (int k = 0; k < 5; k++)
+        fprintf(out, "<path class='%s' d='M%d 556h34'/><text x='%d' y='560'>%s</text>\n", entries[k].line, entries[k].x,
+                entries[k].x + 42, entries[k].words);
+}
+
+static void draw_captions(FILE *out, const Walkthrough *walk)
+{
+    const Scene *scene = walk->scene;
+    WalkPlace place = {0};
+    int lines = 0;
+    for (long i = 0; i < walk->count; i++) {
+        const Event *event = &walk->events[i];
+        walk_follow(&place, walk, event);
+        if (!place.told || event->kind != EVENT_HIT || lines == CAPTIONS_MAX)
+            continue;
+        const Face *face = &scene->faces[event->as.hit.face];
+        InkText text = ink_text("P%d", walk_hit_number(&place));
+        fprintf(out, "<text x='60' y='%d'>%s: face %d, ", CAPTIONS_TOP + CAPTION_HEIGHT * lines++, text.text,
+                face->number);
+        print_escaped(out, ink_name(scene->objects[face->object].name, 40).text);
+        fprintf(out, "/%d, of ", walk_face_in_object(scene, event->as.hit.face));
+        print_escaped(out, ink_name(scene->materials[face->material].name, 40).text);
+        fprintf(out, ", with weight %s</text>\n", ink_number(place.weight, 6).text);
+    }
+    if (scene->face_count > FACES_MAX)
+        fprintf(out,
+                "<text x='1080' y='%d' text-anchor='end'>Of %d faces only those that are hit or in the way.</text>\n",
+                CAPTIONS_TOP, scene->face_count);
+}
+
+bool walkthrough_write_svg(FILE *out, const Walkthrough *walk, WalkStyle style, Error *error)
+{
+    (void)style;
+    (void)error;
+    Extent extent = measure(walk);
+    SvgDirection left_out = least_telling(&extent);
+    draw_head(out, walk);
+    int panel = 0;
+    for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++)
+        if (k != left_out)
+            draw_panel(out, walk, k, panels[panel++], &extent);
+    draw_legend(out);
+    draw_captions(out, walk);
+    fprintf(out, "</svg>\n");
+    return true;
+}

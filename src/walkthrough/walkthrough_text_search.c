@@ -1,0 +1,182 @@
+/* The walkthrough as text: the search for the face that a ray hits, or that stands in a shadow ray's way. */
+#include "walkthrough/walkthrough_text.h"
+
+#include <math.h>
+#include <string.h>
+
+/* --- How many faces --- */
+
+typedef struct Reason {
+    FaceVerdict verdict;
+    const char *words;
+} Reason;
+
+enum { REASONS = 6 };
+
+static const Reason path_reasons[REASONS] = {
+    {FACE_PARALLEL, "parallel (N.R = 0)"},       {FACE_BEHIND, "behind (t <= 0)"},
+    {FACE_BACK, "seen from behind (one-sided)"}, {FACE_OUTSIDE, "outside an edge"},
+    {FACE_FARTHER, "farther than a hit before"}, {FACE_INSIDE, "hit"},
+};
+
+static const Reason shadow_reasons[REASONS] = {
+    {FACE_PARALLEL, "parallel (N.R = 0)"},       {FACE_BEHIND, "behind (t <= 0)"},
+    {FACE_FARTHER, "beyond the light (t >= 1)"}, {FACE_BACK, "seen from behind (one-sided)"},
+    {FACE_OUTSIDE, "outside an edge"},           {FACE_INSIDE, "in the way"},
+};
+
+static void print_table_head(TextWalk *text)
+{
+    ink_line(&text->ink, "\n      face  of                        N.R      N.O + D            t   edges     verdict");
+    text->rows_told = true;
+}
+
+/* The nodes of the tree that the ray enters, in a paragraph. */
+static void print_nodes(const TextWalk *text, const Event *tally)
+{
+    int entered = tally->as.tally.nodes_entered, told = 0;
+    char line[1024];
+    size_t used = (size_t)snprintf(line, sizeof line, "    Entered %d of the %d tree nodes met", entered,
+                                   tally->as.tally.nodes_met);
+    for (const Event *event = tally + 1;
+         event->kind == EVENT_NODE || event->kind == EVENT_FACE || event->kind == EVENT_OCCLUDER; event++) {
+        const WalkNode *node = &event->as.node;
+        if (event->kind != EVENT_NODE || !node->entered || told == WALK_NODES_TOLD)
+            continue;
+        used += (size_t)snprintf(line + used, sizeof line - used, "%s %d", told++ > 0 ? "," : ":", node->node);
+        if (node->faces > 0)
+            used += (size_t)snprintf(line + used, sizeof line - used, " (leaf)");
+    }
+    ink_paragraph(&text->ink, "%s%s.", line, told < entered ? ", ..." : "");
+}
+
+void text_node(TextWalk *text, const Event *event)
+{
+    const WalkNode *node = &event->as.node;
+    if (!text->walk->request.verbose)
+        return; /* the tally has told it */
+    if (!text->rows_told)
+        print_table_head(text);
+    int indent = node->level < 16 ? 2 * node->level : 32;
+    InkText leaf = node->faces > 0 ? ink_text(", a leaf of %d face%s", node->faces, node->faces == 1 ? "" : "s")
+                                   : ink_text("%s", "");
+    ink_line(&text->ink, "      %*snode %d, %s%s", indent, "", node->node, node->entered ? "entered" : "left aside",
+             node->entered ? leaf.text : "");
+}
+
+/* "3 behind (t <= 0),\t1 hit": what came of the faces. */
+static InkText reasons_of(const Event *event)
+{
+    const int *verdicts = event->as.tally.verdicts;
+    bool shadow = event->as.tally.shadow;
+    const Reason *reasons = shadow ? shadow_reasons : path_reasons;
+    InkText line = {""};
+    for (int i = 0; i < REASONS; i++)
+        if (verdicts[reasons[i].verdict] > 0)
+            line = ink_text("%s%s%d %s", line.text, line.text[0] ? ",\t" : "", verdicts[reasons[i].verdict],
+                            reasons[i].words);
+    return line;
+}
+
+void text_tally(TextWalk *text, const Event *event)
+{
+    int tested = event->as.tally.tested, all = text->walk->scene->face_count;
+    bool tree = event->as.tally.nodes_met > 0,
+         blocked = event->as.tally.shadow && event->as.tally.verdicts[FACE_INSIDE] > 0;
+    const char *which = tree            ? " in the leaves that the ray enters"
+                        : tested == all ? ""
+                        : blocked       ? " in the order of the file"
+                                        : " besides the one that the ray leaves";
+    if (tree)
+        print_nodes(text, event);
+    if (tested > 0)
+        ink_line(&text->ink, "    Tested %d face%s%s:\t%s.", tested, tested == 1 ? "" : "s", which,
+                 reasons_of(event).text);
+    else
+        ink_line(&text->ink, "    No face is to be tested.");
+    text->rows_told = false;
+}
+
+/* --- One face a line --- */
+
+/* "+ + - +": the signs of the inside test; colours take no width. */
+static InkText signs_of(const Ink *ink, const FaceTest *test)
+{
+    InkText signs = {""};
+    for (int k = 0; k < test->edges; k++)
+        signs = ink_text("%s%s ", signs.text, text_sign(ink, test->edge_sign[k]).text);
+    return ink_text("%s%*s", signs.text, 2 * (4 - test->edges), "");
+}
+
+static void print_tested(TextWalk *text, int face, const FaceTest *test, const char *verdict)
+{
+    const Scene *scene = text->walk->scene;
+    if (!text->rows_told)
+        print_table_head(text);
+    InkText t = test->verdict == FACE_PARALLEL || test->verdict == FACE_LEFT ? ink_text("-") : ink_number(test->t, 6);
+    InkText number = ink_text("%d", scene->faces[face].number);
+    if (test->verdict == FACE_LEFT) {
+        ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %-8s  %s", number.text, text_face(scene, face, 16).text,
+                 "-", "-", "-", "", verdict);
+        return;
+    }
+    ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %s  %s", number.text, text_face(scene, face, 16).text,
+             ink_number(test->n_dot_r, 6).text, ink_number(test->n_dot_o_plus_d, 6).text, t.text,
+             signs_of(&text->ink, test).text, verdict);
+    if (text->walk->request.verbose && test->edges > 0) {
+        InkText values = {""};
+        for (int k = 0; k < test->edges; k++)
+            values = ink_text("%s  %+.6g", values.text, test->edge_value[k] == 0 ? 0.0 : test->edge_value[k]);
+        ink_line(&text->ink, "            dot(N, cross(e, c)):%s", values.text);
+    }
+}
+
+/* Whether the face of this event is the one that the ray will be found to hit: the list tells it further on. */
+static bool is_nearest(const Event *event)
+{
+    const Event *hit = event;
+    while (hit->kind == EVENT_FACE || hit->kind == EVENT_NODE)
+        hit++;
+    return hit->kind == EVENT_HIT && hit->as.hit.face == event->as.face.face;
+}
+
+/* Whether this search has met the face before: in a k-d tree a face stands in every leaf that it reaches into. */
+static bool is_met_again(const Event *event)
+{
+    const Event *before = event - 1;
+    while (before->kind == EVENT_NODE || (before->kind == EVENT_FACE && before->as.face.face != event->as.face.face))
+        before--;
+    return before->kind == EVENT_FACE;
+}
+
+void text_face_tested(TextWalk *text, const Event *event)
+{
+    const FaceTest *test = &event->as.face.test;
+    InkText verdict = ink_text("%s", walk_face_verdicts[test->verdict]);
+    if (is_nearest(event))
+        verdict = ink_text(is_met_again(event) ? "met again" : "nearest");
+    else if (test->verdict == FACE_INSIDE)
+        verdict = ink_text(test->t < event->as.face.nearest_t ? "nearest so far" : "not nearer");
+    else if (test->verdict == FACE_OUTSIDE)
+        verdict = ink_text("outside edge %d", test->outside_edge);
+    else if (test->verdict == FACE_BACK)
+        verdict = ink_text("back side");
+    else if (test->verdict == FACE_LEFT)
+        verdict = ink_text("left by ray");
+    print_tested(text, event->as.face.face, test, verdict.text);
+}
+
+void text_occluder_tested(TextWalk *text, const Event *event)
+{
+    const FaceTest *test = &event->as.occluder.test;
+    InkText verdict = ink_text("%s", walk_face_verdicts[test->verdict]);
+    if (test->verdict == FACE_INSIDE)
+        verdict = ink_text("in the way");
+    else if (test->verdict == FACE_FARTHER)
+        verdict = ink_text("beyond light");
+    else if (test->verdict == FACE_OUTSIDE)
+        verdict = ink_text("outside edge %d", test->outside_edge);
+    else if (test->verdict == FACE_BACK)
+        verdict = ink_text("back side");
+    print_tested(text, event->as.occluder.face, test, verdict.text);
+}

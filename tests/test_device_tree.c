@@ -1,0 +1,161 @@
+/* The tree as the kernels walk it: it holds what the binary tree holds, and no other wide nodes would be met more seldom. */
+#include "kernels/shared/layout.h" /* before the system's limits.h, which has a PATH_MAX of its own */
+
+#include "opencl/device_tree.h"
+
+#include "support/crowds.h"
+
+enum { FACES = 500, FEW = 14, WIDTHS = 3 };
+
+static const int widths[WIDTHS] = {4, 8, 16};
+static Error error;
+
+void setUp(void)
+{
+    error = (Error){.kind = ERROR_NONE};
+}
+void tearDown(void) {}
+
+/* closed[i] is i % 7: a side of a closed box, or 0. */
+typedef struct Trees {
+    Scene scene;
+    unsigned char closed[FACES];
+    Accel accel;
+    DeviceTree packed;
+} Trees;
+
+static Trees trees_of(Crowd kind, int faces, int width)
+{
+    Trees trees = {.scene = crowd_scene(kind, faces, 23)};
+    for (int i = 0; i < faces; i++)
+        trees.closed[i] = (unsigned char)(i % 7);
+    TEST_ASSERT_TRUE(accel_build(&trees.accel, &trees.scene, ACCEL_BVH, 1, &error));
+    TEST_ASSERT_TRUE(device_tree_pack(&trees.packed, &trees.accel, trees.closed, width, &error));
+    return trees;
+}
+
+static void trees_free(Trees *trees)
+{
+    device_tree_free(&trees->packed);
+    accel_free(&trees->accel);
+    scene_free(&trees->scene);
+}
+
+static Box child_box(const DeviceTree *tree, int node, int child)
+{
+    const float *boxes = tree->floats + (size_t)node * 6 * (size_t)tree->node_width + child;
+    Box box;
+    for (int axis = 0; axis < 3; axis++) {
+        box.low[axis] = boxes[2 * axis * tree->node_width];
+        box.high[axis] = boxes[(2 * axis + 1) * tree->node_width];
+    }
+    return box;
+}
+
+static bool box_holds(Box outer, Box inner)
+{
+    for (int axis = 0; axis < 3; axis++)
+        if (inner.low[axis] < outer.low[axis] || inner.high[axis] > outer.high[axis])
+            return false;
+    return true;
+}
+
+/* Only a leaf of one side of a closed box has that side's key. */
+static void check_key(const Trees *trees, int child)
+{
+    int closed = child < 0 && LEAF_COUNT(child) == 1 ? trees->closed[trees->accel.bvh.order[LEAF_FIRST(child)]] : 0;
+    for (int side = 0; side < 6; side++)
+        TEST_ASSERT_EQUAL_INT(closed == 1 + side, LEAF_KEY(child) == SIDE_KEY(side));
+}
+
+/* Counts each face below a wide node in seen; returns the sum of the areas of the wide nodes. */
+static double check_node(const Trees *trees, int node, Box outer, int *seen)
+{
+    const DeviceTree *tree = &trees->packed;
+    Box whole = box_empty();
+    double area = 0;
+    for (int i = 0; i < tree->node_width; i++) {
+        int child = tree->ints[node * tree->node_width + i];
+        if (child == NO_CHILD)
+            continue;
+        Box box = child_box(tree, node, i);
+        TEST_ASSERT_TRUE(box_holds(outer, box));
+        check_key(trees, child);
+        box_grow(&whole, &box);
+        if (child >= 0) {
+            area += check_node(trees, child, box, seen);
+            continue;
+        }
+        for (int k = LEAF_FIRST(child); k < LEAF_FIRST(child) + LEAF_COUNT(child); k++) {
+            int face = trees->accel.bvh.order[k];
+            TEST_ASSERT_TRUE(box_holds(box, face_box(&trees->scene.faces[face], &trees->scene.planes[face])));
+            seen[face]++;
+        }
+    }
+    return area + box_half_area(whole);
+}
+
+static const Box everywhere = {{-FLT_MAX, -FLT_MAX, -FLT_MAX}, {FLT_MAX, FLT_MAX, FLT_MAX}};
+
+static void each_face_should_be_in_one_leaf_and_in_all_boxes_above(void)
+{
+    for (int kind = 0; kind < CROWD_KINDS; kind++)
+        for (int w = 0; w < WIDTHS; w++) {
+            Trees trees = trees_of((Crowd)kind, FACES, widths[w]);
+            int seen[FACES] = {0};
+            check_node(&trees, 0, everywhere, seen);
+            for (int i = 0; i < FACES; i++)
+                TEST_ASSERT_EQUAL_INT(1, seen[i]);
+            trees_free(&trees);
+        }
+}
+
+/* The least sum of the areas of the wide nodes below `node`, which gets so many places in the one above: by trying all. */
+static double least_area(const Bvh *bvh, int node, int places, int width)
+{
+    const BvhNode *root = &bvh->nodes[node];
+    if (root->count > 0)
+        return 0;
+    double least = HUGE_VAL;
+    for (int k = 1; k < width; k++) {
+        double area = box_half_area(root->box) + least_area(bvh, node + 1, k, width) +
+                      least_area(bvh, root->first, width - k, width);
+        least = area < least ? area : least;
+    }
+    for (int k = 1; k < places; k++) {
+        double area = least_area(bvh, node + 1, k, width) + least_area(bvh, root->first, places - k, width);
+        least = area < least ? area : least;
+    }
+    return least;
+}
+
+static void the_areas_of_the_wide_nodes_should_be_the_least(void)
+{
+    for (int kind = 0; kind < CROWD_EQUAL; kind++) {
+        Trees trees = trees_of((Crowd)kind, FEW, 4);
+        int seen[FEW] = {0};
+        double area = check_node(&trees, 0, everywhere, seen);
+        const Bvh *bvh = &trees.accel.bvh;
+        double least = least_area(bvh, 0, 1, 4);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9 * least, least, area);
+        trees_free(&trees);
+    }
+}
+
+static void one_face_should_be_the_root_s_only_child(void)
+{
+    Trees trees = trees_of(CROWD_QUADS, 1, 16);
+    TEST_ASSERT_EQUAL_INT(LEAF(0, 1), trees.packed.ints[0]);
+    for (int i = 1; i < 16; i++)
+        TEST_ASSERT_EQUAL_INT(NO_CHILD, trees.packed.ints[i]);
+    trees_free(&trees);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(each_face_should_be_in_one_leaf_and_in_all_boxes_above);
+    RUN_TEST(the_areas_of_the_wide_nodes_should_be_the_least);
+    RUN_TEST(one_face_should_be_the_root_s_only_child);
+    return UNITY_END();
+}
