@@ -127,7 +127,7 @@ static void judge_hit(Judge *j, int from, Mask *group)
     }
     count_asking(&q);
     if (q.asking)
-        walk_beam(j->g, j->s, &q, j->counters);
+        traverse_beam(j->g, j->s, &q, j->counters);
     EACH_PACKET(k)
         group[k] = q.active[k];
 }
@@ -163,7 +163,7 @@ static void judge_light(const Judge *j, int index, Mask *group)
         q.crossed[k] = q.filled[k] = (Mask)0;
     }
     count_asking(&q);
-    walk_beam(j->g, j->s, &q, j->counters);
+    traverse_beam(j->g, j->s, &q, j->counters);
     Mask reached[PACKETS];
     EACH_PACKET(k) {
         reached[k] = group[k] & ~q.crossed[k];

@@ -6,9 +6,9 @@
 #include "adaptive/group_beam.cl"
 #include "adaptive/beam_query.cl"
 
-NOINLINE void walk_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
+NOINLINE void traverse_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
 {
-    WholeBeam whole = whole_beam(s, q->beam);
+    GroupBeam whole = group_beam(s, q->beam);
     for (int i = 0; i < g->face_count && q->asking; i++)
-        ask_beam(g, q, &whole, i, counters);
+        intersect_beam(g, q, &whole, i, counters);
 }

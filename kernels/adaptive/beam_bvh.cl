@@ -27,10 +27,10 @@ INLINE uint boxes_left(const Cuts *cuts, global const float *planes)
     return mask_bits(left);
 }
 
-NOINLINE void walk_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
+NOINLINE void traverse_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
 {
     const Tree *tree = s->tree;
-    WholeBeam whole = whole_beam(s, q->beam);
+    GroupBeam whole = group_beam(s, q->beam);
     Cuts cuts;
     make_cuts(g, q, &whole, &cuts);
     int stack[STACK_SIZE], count = 0;
@@ -40,7 +40,7 @@ NOINLINE void walk_beam(const Geometry *g, const Shading *s, BeamQuery *q, Count
         if (node < 0) {
             int first = LEAF_FIRST(node), faces = LEAF_COUNT(node);
             for (int i = first; i < first + faces && q->asking; i++)
-                ask_beam(g, q, &whole, i, counters);
+                intersect_beam(g, q, &whole, i, counters);
             if (!q->asking)
                 return;
             continue;

@@ -33,7 +33,7 @@ INLINE void cut_plane(Cuts *cuts, const Geometry *g, int face, int side)
     add_cut(cuts, n, corner, BOX_SLACK * point_magnitudes(n), point_magnitudes(corner));
 }
 
-static void make_cuts(const Geometry *g, const BeamQuery *q, const WholeBeam *b, Cuts *cuts)
+static void make_cuts(const Geometry *g, const BeamQuery *q, const GroupBeam *b, Cuts *cuts)
 {
     Point l = point(b->l[0], b->l[1], b->l[2]);
     cuts->count = 0;

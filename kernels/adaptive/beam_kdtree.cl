@@ -30,10 +30,10 @@ static bool box_is_left(const Cuts *cuts, const KdBox *box)
     return true;
 }
 
-NOINLINE void walk_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
+NOINLINE void traverse_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
 {
     const Tree *tree = s->tree;
-    WholeBeam whole = whole_beam(s, q->beam);
+    GroupBeam whole = group_beam(s, q->beam);
     Cuts cuts;
     make_cuts(g, q, &whole, &cuts);
     KdBox stack[STACK_SIZE];
@@ -58,7 +58,7 @@ NOINLINE void walk_beam(const Geometry *g, const Shading *s, BeamQuery *q, Count
             continue;
         }
         for (int i = ints[KD_FIRST]; i < ints[KD_FIRST] + ints[KD_COUNT] && q->asking; i++)
-            ask_beam(g, q, &whole, face_in_leaf(tree, i), counters);
+            intersect_beam(g, q, &whole, face_in_leaf(tree, i), counters);
         if (!q->asking)
             return;
     }

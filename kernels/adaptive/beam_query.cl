@@ -41,7 +41,7 @@ static bool is_on_side(const Geometry *g, int face, int of, int side)
     return off;
 }
 
-static void ask_beam(const Geometry *g, BeamQuery *q, const WholeBeam *whole, int i, Counters *counters)
+static void intersect_beam(const Geometry *g, BeamQuery *q, const GroupBeam *whole, int i, Counters *counters)
 {
     const Beam *beam = q->beam;
     if (i == q->from || i == q->to || is_clear_of(g, whole, i))

@@ -10,11 +10,11 @@
 #include "adaptive/beam.cl"
 
 /* In the beam's terms a point p from the apex is l (c + a u + b v); but for a positive factor, l a, l b and l are linear in p. */
-typedef struct WholeBeam {
+typedef struct GroupBeam {
     real apex[3], size;
     real la[3], lb[3], l[3], side_slack;
     real c[3], u[3], v[3], moment_slack, apex_slack, height_slack;
-} WholeBeam;
+} GroupBeam;
 
 INLINE void real_row(Point p, real *row)
 {
@@ -23,7 +23,7 @@ INLINE void real_row(Point p, real *row)
     row[2] = (real)p.z;
 }
 
-static WholeBeam whole_beam(const Shading *s, const Beam *b)
+static GroupBeam group_beam(const Shading *s, const Beam *b)
 {
     Point u = point_scale(b->extent[0], b->u), v = point_scale(b->extent[1], b->v);
     Point c = point_add(b->c0, point_add(point_scale(b->middle[0], b->u), point_scale(b->middle[1], b->v)));
@@ -31,7 +31,7 @@ static WholeBeam whole_beam(const Shading *s, const Beam *b)
     int sign = point_dot(uv, b->c0) < 0 ? -1 : 1;
     wide us = point_magnitudes(u), vs = point_magnitudes(v), cs = point_magnitudes(c), crossed = us * vs + vs * cs + cs * us;
     wide farthest = 2 * b->size + s->view[VIEW_FARTHEST];
-    WholeBeam whole;
+    GroupBeam whole;
     whole.size = (real)b->size;
     real_row(b->apex, whole.apex);
     real_row(point_scale(sign, vc), whole.la);
@@ -58,7 +58,7 @@ typedef struct Corners {
 } Corners;
 
 /* Is the whole beam on the outer side of an edge? */
-INLINE bool is_outside(const WholeBeam *b, global const real *row, Corners v)
+INLINE bool is_outside(const GroupBeam *b, global const real *row, Corners v)
 {
     global const real *n = row + FACE_NORMAL;
     real height = -(n[0] * v.x.x + n[1] * v.y.x + n[2] * v.z.x);
@@ -72,7 +72,7 @@ INLINE bool is_outside(const WholeBeam *b, global const real *row, Corners v)
 }
 
 /* Is the whole face beyond one of the beam's sides? */
-INLINE bool is_beside(const WholeBeam *b, Corners v)
+INLINE bool is_beside(const GroupBeam *b, Corners v)
 {
     real4 x = v.x, y = v.y, z = v.z;
     real4 la = along_row(b->la, x, y, z), lb = along_row(b->lb, x, y, z);
@@ -80,7 +80,7 @@ INLINE bool is_beside(const WholeBeam *b, Corners v)
     return all(la > limit) || all(-la > limit) || all(lb > limit) || all(-lb > limit);
 }
 
-INLINE bool is_clear_of(const Geometry *g, const WholeBeam *b, int face)
+INLINE bool is_clear_of(const Geometry *g, const GroupBeam *b, int face)
 {
     global const real *row = face_row(g, face);
     Corners v = {of_vertices(row, 0) - b->apex[0], of_vertices(row, 1) - b->apex[1], of_vertices(row, 2) - b->apex[2]};

@@ -28,14 +28,14 @@ static WideVec direction_to(const Shading *s, Wide column, Wide row, Wide i, Wid
 }
 
 /* The bundle of the active rays, which start at the apex. */
-static Bundle bundle_of_rays(const Apex *a, const Path *paths, const Ray *rays)
+static RayBounds bounds_of_rays(const Apex *a, const Path *paths, const Ray *rays)
 {
-    Pencil pencils[PACKETS];
+    OriginPacket pencils[PACKETS];
     EACH_PACKET(k) {
         pencils[k].active = paths[k].active;
         pencils[k].ahead = vec_to_real(rays[k].direction);
     }
-    return bundle_from(a, pencils, PACKETS, 0);
+    return bounds_from(a, pencils, PACKETS, 0);
 }
 
 /* As render_tile does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
@@ -59,7 +59,7 @@ INLINE void render_centres(const Geometry *g, const Shading *s, int first_column
         trails[k].count = 0;
         counters->kinds[COUNT_PRIMARY] += mask_count(even[k]);
     }
-    Bundle seen = bundle_of_rays(&apex, paths, rays);
+    RayBounds seen = bounds_of_rays(&apex, paths, rays);
     begin_paths(paths, rays);
     Camera camera = camera_of(s);
     trace_paths(g, s, camera.eye, &apex, &seen, 0, paths, rays, 0, trails, counters);
@@ -113,7 +113,7 @@ static void trace_samples(const Geometry *g, const Shading *s, const Apex *apex,
         paths[k].active = k < pixel_count ? IS(lane < (Mask)count) : (Mask)0;
     }
     counters->kinds[COUNT_PRIMARY] += (uint)(pixel_count * count);
-    Bundle seen = bundle_of_rays(apex, paths, rays);
+    RayBounds seen = bounds_of_rays(apex, paths, rays);
     begin_paths(paths, rays);
     Camera camera = camera_of(s);
     trace_paths(g, s, camera.eye, apex, &seen, 0, paths, rays, 0, 0, counters);

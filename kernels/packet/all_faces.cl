@@ -6,20 +6,20 @@
 #include "packet/accel.cl"
 
 typedef int Stack;
-typedef int Bundle;
+typedef int RayBounds;
 
-INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets, real spread) { return 0; }
-INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high) { return 0; }
-INLINE Bundle bundle_of(const Line *l, Mask active) { return 0; }
-INLINE void bundle_shorten(Bundle *b, real reach) {}
-INLINE void bundle_leave_out_sides(Bundle *b, bool towards) {}
-INLINE Stack stack_of(const Tree *tree, const Bundle *b) { return 1; }
-INLINE bool misses_all(const Tree *tree, const Bundle *b) { return false; }
-INLINE void put_back(Stack *stack) { *stack = 1; }
+INLINE RayBounds bounds_from(const Apex *a, const OriginPacket *pencils, int packets, real spread) { return 0; }
+INLINE RayBounds bounds_within(const Apex *a, const real *low, const real *high) { return 0; }
+INLINE RayBounds bounds_of(const RealRay *l, Mask active) { return 0; }
+INLINE void bounds_shorten(RayBounds *b, real reach) {}
+INLINE void bounds_cull_sides(RayBounds *b, bool reversed) {}
+INLINE Stack stack_of(const Tree *tree, const RayBounds *b) { return 1; }
+INLINE bool misses_all(const Tree *tree, const RayBounds *b) { return false; }
+INLINE void push_back(Stack *stack) { *stack = 1; }
 INLINE void forget_distances(Stack *stack) {}
 INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
 
-INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, uint rays, Stack *stack, int *first, int *count,
+INLINE bool next_leaf(const Geometry *g, const Tree *tree, const RayBounds *b, uint rays, Stack *stack, int *first, int *count,
                       Counters *c)
 {
     *first = 0;

@@ -12,7 +12,7 @@ typedef struct Apex {
     real spread; /* no ray's line passes farther than this from the point */
     real length; /* no ray's direction is longer */
     real off;    /* twice how far the lines pass from x, y, z */
-    real edge_share, edge_off, edge_floor; /* what ApexFace.edge_error is made of */
+    real edge_share, edge_off, edge_floor; /* what FaceSetup.edge_error is made of */
 } Apex;
 
 INLINE Apex apex_at(const wide *point, real spread, real length)
@@ -27,23 +27,23 @@ INLINE Apex apex_at(const wide *point, real spread, real length)
 }
 
 /* The rays of a packet that come from an apex. */
-typedef struct Pencil {
+typedef struct OriginPacket {
     Vec ahead;     /* from the apex along the ray: its direction; of a shadow ray the unit vector from the light */
     Lanes per_end; /* of a shadow ray: 1/t of its point; t is in units of `ahead`, from the apex */
     Lanes doubt;   /* of a shadow ray: so many times the bounds of a face's errors cover those of its direction and its end, too */
     Mask active;   /* lanes that take part in the search that is on */
     Mask left;     /* the face that each ray leaves, not to be hit again */
-} Pencil;
+} OriginPacket;
 
 /* Of a packet without active rays. */
-INLINE Pencil no_pencil(void)
+INLINE OriginPacket no_origin_packet(void)
 {
-    Pencil p = {{(Lanes)0, (Lanes)0, (Lanes)0}, (Lanes)0, (Lanes)1, (Mask)0, (Mask)-1};
+    OriginPacket p = {{(Lanes)0, (Lanes)0, (Lanes)0}, (Lanes)0, (Lanes)1, (Mask)0, (Mask)-1};
     return p;
 }
 
 /* A shadow ray, told from the light. */
-INLINE void aim_from_light(Pencil *p, const wide *light, WideVec point)
+INLINE void aim_from_light(OriginPacket *p, const wide *light, WideVec point)
 {
     Vec d = vec_to_real(wide_sub(point, wide_vec((Wide)light[0], (Wide)light[1], (Wide)light[2])));
     p->per_end = 1 / sqrt(vec_dot(d, d));
@@ -56,14 +56,14 @@ INLINE void aim_from_light(Pencil *p, const wide *light, WideVec point)
 #define SHARE_OF(doubt) (((doubt) - 1) * (4 * REAL_ROUNDING))
 
 /* A face as it is seen from an apex. */
-typedef struct ApexFace {
+typedef struct FaceSetup {
     real x[4], y[4], z[4]; /* the edges' moments, turned so that all m . R > 0 for a ray that meets the face ahead */
     real nx, ny, nz;       /* N / N.(v[0] - A) */
     real edge_error;       /* of m . ahead */
     real depth_error;      /* of 1/t */
     bool with_normal;      /* rays that hit it come from behind its normal */
     bool closed;           /* it is of a closed box of which every other face is left out */
-} ApexFace;
+} FaceSetup;
 
 /* (v[k] - A) x (v[k+1] - v[k]) of the four edges. */
 typedef struct EdgeMoments {
@@ -79,26 +79,26 @@ INLINE EdgeMoments edge_moments(global const real *row, real4 x, real4 y, real4 
     return m;
 }
 
-typedef enum Sight { SIGHT_NONE, SIGHT_CLEAR, SIGHT_DOUBTFUL } Sight;
+typedef enum Visibility { CULLED, VISIBLE, UNCERTAIN } Visibility;
 
 /* `towards`: the rays travel to the apex, not from it; one-sided faces let those through that come from behind the normal.
  * `outside`: the rays start and end outside of closed boxes, of which every other face is left out then: backs from the eye, from
  * a light the faces that are turned to it.
- * SIGHT_NONE: no ray from the apex hits it. SIGHT_DOUBTFUL: the apex is so close to its plane that rounding may decide. */
-INLINE Sight see_face(const Apex *a, global const real *row, bool towards, bool outside, ApexFace *f)
+ * CULLED: no ray from the apex hits it. UNCERTAIN: the apex is so close to its plane that rounding may decide. */
+INLINE Visibility setup_face(const Apex *a, global const real *row, bool reversed, bool cull_boxes, FaceSetup *f)
 {
     uint bits = face_bits(row);
-    f->closed = outside && bits & FACE_BACK_INSIDE;
+    f->closed = cull_boxes && bits & FACE_BACK_INSIDE;
     real4 vx = of_vertices(row, 0) - a->x, vy = of_vertices(row, 1) - a->y, vz = of_vertices(row, 2) - a->z;
     real nx = row[FACE_NORMAL], ny = row[FACE_NORMAL + 1], nz = row[FACE_NORMAL + 2];
     real x = nx * vx.x, y = ny * vy.x, z = nz * vz.x;
     real height = x + y + z;
     real slack = 8 * REAL_ROUNDING * (fabs(x) + fabs(y) + fabs(z)) + face_warp(bits) + a->off;
     if (!(fabs(height) > 4 * slack))
-        return SIGHT_DOUBTFUL;
+        return UNCERTAIN;
     f->with_normal = height > 0;
-    if (f->with_normal != towards && (bits & FACE_BACK_OPEN || f->closed))
-        return SIGHT_NONE;
+    if (f->with_normal != reversed && (bits & FACE_BACK_OPEN || f->closed))
+        return CULLED;
     EdgeMoments m = edge_moments(row, vx, vy, vz);
     real4 turn = (real4)(f->with_normal ? 1 : -1);
     vstore4(turn * m.x, 0, f->x);
@@ -117,13 +117,13 @@ INLINE Sight see_face(const Apex *a, global const real *row, bool towards, bool 
     real edge = edge_bound(bits), size = fabs(vx.x) + fabs(vy.x) + fabs(vz.x) + 2 * edge;
     f->edge_error = edge * (a->edge_share * size + a->edge_off) + a->edge_floor;
     f->depth_error = a->length * near * (16 * REAL_ROUNDING + 2 * slack * near);
-    return SIGHT_CLEAR;
+    return VISIBLE;
 }
 
 INLINE Lanes along(Vec ahead, real x, real y, real z) { return FMA(ahead.x, x, FMA(ahead.y, y, ahead.z * z)); }
 
 /* The least m . ahead of the four edges. */
-INLINE Lanes least_edge(Vec ahead, const REREAD ApexFace *f)
+INLINE Lanes least_edge(Vec ahead, const REREAD FaceSetup *f)
 {
     Lanes s0 = along(ahead, f->x[0], f->y[0], f->z[0]), s1 = along(ahead, f->x[1], f->y[1], f->z[1]);
     Lanes s2 = along(ahead, f->x[2], f->y[2], f->z[2]), s3 = along(ahead, f->x[3], f->y[3], f->z[3]);

@@ -7,7 +7,7 @@
 #include "packet/geometry.cl"
 #include "packet/counters.cl"
 #include "packet/accel.cl"
-#include "packet/bundle.cl"
+#include "packet/ray_bounds.cl"
 
 /* Nodes to visit, the nearest on top. */
 typedef struct Stack {
@@ -29,7 +29,7 @@ INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
 
 /* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. left_out: those of them
  * that it need not. */
-INLINE uint children_met(const Tree *tree, const Bundle *b, int node, int part, Lanes *enter, uint *left_out)
+INLINE uint children_met(const Tree *tree, const RayBounds *b, int node, int part, Lanes *enter, uint *left_out)
 {
     IntLanes children = LOAD(tree->ints + (size_t)node * NODE_WIDTH + part), key = LEAF_KEY(children);
     Mask back = INTS_TO_MASK(IS(key == (IntLanes)b->left_out[0]) | IS(key == (IntLanes)b->left_out[1]) |
@@ -47,7 +47,7 @@ INLINE uint children_met(const Tree *tree, const Bundle *b, int node, int part, 
 }
 
 /* Does the bundle miss all that is in the tree? */
-INLINE bool misses_all(const Tree *tree, const Bundle *b)
+INLINE bool misses_all(const Tree *tree, const RayBounds *b)
 {
     for (int part = 0; part < NODE_WIDTH; part += LANES) {
         Lanes enter;
@@ -65,7 +65,7 @@ INLINE void fetch_node(const Tree *tree, int node)
 }
 
 /* Puts the children that the bundle may meet on the stack. Returns how many faces it left out. */
-INLINE uint push_children(const Geometry *g, const Tree *tree, const Bundle *b, int node, Stack *stack)
+INLINE uint push_children(const Geometry *g, const Tree *tree, const RayBounds *b, int node, Stack *stack)
 {
     global const int *children = tree->ints + (size_t)node * NODE_WIDTH;
     int floor = stack->count;
@@ -91,7 +91,7 @@ INLINE uint push_children(const Geometry *g, const Tree *tree, const Bundle *b, 
     return faces_left_out;
 }
 
-INLINE Stack stack_of(const Tree *tree, const Bundle *b)
+INLINE Stack stack_of(const Tree *tree, const RayBounds *b)
 {
     Stack stack;
     stack.node[0] = 0;
@@ -101,7 +101,7 @@ INLINE Stack stack_of(const Tree *tree, const Bundle *b)
 }
 
 /* Puts back the leaf that was taken last. */
-INLINE void put_back(Stack *stack) { stack->count++; }
+INLINE void push_back(Stack *stack) { stack->count++; }
 
 /* For rays whose t has another unit. */
 INLINE void forget_distances(Stack *stack)
@@ -114,7 +114,7 @@ INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
 
 /* The next leaf that the bundle, of so many rays, meets, nearest first: its faces are first .. first + count - 1. False: there is
  * none. */
-INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, uint rays, Stack *stack, int *first, int *count,
+INLINE bool next_leaf(const Geometry *g, const Tree *tree, const RayBounds *b, uint rays, Stack *stack, int *first, int *count,
                       Counters *counters)
 {
     while (stack->count > 0) {

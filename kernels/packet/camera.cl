@@ -48,9 +48,9 @@ INLINE Apex apex_at_eye(const Shading *s)
     return apex_at(eye, 0, s->view[VIEW_LENGTH]);
 }
 
-typedef struct CornerRays {
+typedef struct Frustum {
     real x[4], y[4], z[4];
-} CornerRays;
+} Frustum;
 
 /* The places of the tile's columns and rows on the screen: see view_direction in geometry.c. */
 typedef struct ScreenPlaces {
@@ -145,11 +145,11 @@ INLINE Window window_of_area(const Shading *s, const Area *area)
 
 /* The rays of a window's corners. Each component of a direction rises or falls with either place, and so does its rounding: it
  * has its extremes there. */
-INLINE CornerRays camera_corners(const Camera *c, const Window *window)
+INLINE Frustum camera_frustum(const Camera *c, const Window *window)
 {
     const wide *x = window->x, *y = window->y, *forward = c->forward, *right = c->right, *up = c->up;
     wide4 across = (wide4)(x[0], x[1], x[0], x[1]), down = (wide4)(y[0], y[0], y[1], y[1]);
-    CornerRays corners;
+    Frustum corners;
     vstore4(TO_REAL4(forward[0] + across * right[0] + down * up[0]), 0, corners.x);
     vstore4(TO_REAL4(forward[1] + across * right[1] + down * up[1]), 0, corners.y);
     vstore4(TO_REAL4(forward[2] + across * right[2] + down * up[2]), 0, corners.z);

@@ -25,15 +25,15 @@ INLINE real edge_bound(uint bits) { return (real)fabs(as_float(bits)); }
 INLINE real face_warp(uint bits) { return (real)fabs(as_float(bits << 16)); }
 
 /* A ray in `real`. */
-typedef struct Line {
+typedef struct RealRay {
     Vec origin, direction;
     Vec scaled;  /* the direction divided by the largest magnitude of its components, which is */
     Lanes scale;
-} Line;
+} RealRay;
 
-INLINE Line line(Vec origin, Vec direction)
+INLINE RealRay real_ray(Vec origin, Vec direction)
 {
-    Line l;
+    RealRay l;
     l.origin = origin;
     l.direction = direction;
     l.scale = vec_largest(direction);
@@ -53,7 +53,7 @@ INLINE Lanes edge_function(Vec r, Vec a, global const real *v, global const real
     return FMA(r.x, FMA(a.y, z, -a.z * y), FMA(r.y, FMA(a.z, x, -a.x * z), r.z * FMA(a.x, y, -a.y * x)));
 }
 
-INLINE EdgeTest test_edges(const Line *l, global const real *row)
+INLINE EdgeTest test_edges(const RealRay *l, global const real *row)
 {
     uint bits = face_bits(row);
     int edges = bits & FACE_TRIANGLE ? 3 : 4;
@@ -76,7 +76,7 @@ INLINE EdgeTest test_edges(const Line *l, global const real *row)
 }
 
 /* Settles the lanes that may pass inside but not surely. With `target` the rays are segments that end there. */
-NOINLINE void settle_edges(EdgeTest *test, global const real *row, const Ray *ray, const wide *target)
+NOINLINE void resolve_edges_exactly(EdgeTest *test, global const real *row, const Ray *ray, const wide *target)
 {
     MaskElement may[LANES], sure[LANES], with_normal[LANES];
     wide o[3][LANES], r[3][LANES];
@@ -221,7 +221,7 @@ static Wide plane_distance(const Geometry *g, int face, const PlaneRow *plane, W
     return settle_dot(value, row, plane->length, &exactly, doubt);
 }
 
-NOINLINE wide settle_distance_of_point(global const real *row, const wide *point)
+NOINLINE wide resolve_distance_exactly(global const real *row, const wide *point)
 {
     wide corner[3];
     face_corner(row, 0, corner);
@@ -237,7 +237,7 @@ INLINE wide plane_distance_of_point(const Geometry *g, int face, const wide *poi
     wide x = point[0] - (wide)row[0], y = point[1] - (wide)row[4], z = point[2] - (wide)row[8];
     wide value = plane[0] * x + plane[1] * y + plane[2] * z;
     wide bound = (plane[PLANE_ERROR] + 8 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z));
-    return fabs(value) > bound ? value : settle_distance_of_point(row, point);
+    return fabs(value) > bound ? value : resolve_distance_exactly(row, point);
 }
 
 /* Where a ray meets a plane. */

@@ -39,14 +39,14 @@ INLINE PlaneHit hit_in_box(const Geometry *g, int i, const Ray *ray, WideMask ac
 }
 
 /* Asks face i in the active lanes; true if it is nearer in some lane. */
-NOINLINE bool ask_nearest(const Geometry *g, const Line *line, const Ray *ray, Mask active, int i, Hit *nearest)
+NOINLINE bool intersect_nearest(const Geometry *g, const RealRay *real_ray, const Ray *ray, Mask active, int i, Hit *nearest)
 {
-    EdgeTest edges = test_edges(line, face_row(g, i));
+    EdgeTest edges = test_edges(real_ray, face_row(g, i));
     edges.may &= active;
     if (!ANY(edges.may))
         return false;
     if (ANY(edges.may & ~edges.sure))
-        settle_edges(&edges, face_row(g, i), ray, 0);
+        resolve_edges_exactly(&edges, face_row(g, i), ray, 0);
     if (face_bits(face_row(g, i)) & FACE_BACK_OPEN) {
         edges.may &= ~edges.with_normal;
         if (!ANY(edges.may))
@@ -73,15 +73,15 @@ NOINLINE bool ask_nearest(const Geometry *g, const Line *line, const Ray *ray, M
 
 /* Asks face i; the active lanes whose segment, from `point` to `target`, it blocks. The line is told the other way round: it
  * starts at the target. */
-NOINLINE Mask ask_blocked(const Geometry *g, const WideVec *point, const wide *target, Mask active, int i)
+NOINLINE Mask intersect_segment(const Geometry *g, const WideVec *point, const wide *target, Mask active, int i)
 {
     WideVec end = wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]);
     Ray ray = {*point, wide_sub(end, *point)};
-    Line l = line(vec_to_real(end), vec_to_real(wide_sub(*point, end)));
+    RealRay l = real_ray(vec_to_real(end), vec_to_real(wide_sub(*point, end)));
     EdgeTest edges = test_edges(&l, face_row(g, i));
     edges.may &= active;
     if (ANY(edges.may & ~edges.sure))
-        settle_edges(&edges, face_row(g, i), &ray, target);
+        resolve_edges_exactly(&edges, face_row(g, i), &ray, target);
     PlaneRow plane = plane_row(g, i);
     wide end_side = plane_distance_of_point(g, i, target);
     Wide start = plane_distance(g, i, &plane, *point, TO_WIDE_MASK(edges.may));
@@ -132,11 +132,11 @@ static Hit exact_hit(const Geometry *g, const Ray *ray, const Nearest *nearest, 
 }
 
 /* Asks face i exactly in the lanes in doubt; true if it is nearer in some. */
-NOINLINE bool settle_nearest(const Geometry *g, const Ray *ray, Mask doubt, int i, Nearest *nearest)
+NOINLINE bool resolve_nearest_exactly(const Geometry *g, const Ray *ray, Mask doubt, int i, Nearest *nearest)
 {
-    Line l = line(vec_to_real(ray->origin), vec_to_real(ray->direction));
+    RealRay l = real_ray(vec_to_real(ray->origin), vec_to_real(ray->direction));
     Hit hit = exact_hit(g, ray, nearest, doubt);
-    if (!ask_nearest(g, &l, ray, doubt, i, &hit))
+    if (!intersect_nearest(g, &l, ray, doubt, i, &hit))
         return false;
     Mask take = doubt & IS(hit.face == (Mask)i);
     Lanes inverse = 1 / (TO_REAL(hit.t_in_box) + nearest->begin);
@@ -149,7 +149,7 @@ NOINLINE bool settle_nearest(const Geometry *g, const Ray *ray, Mask doubt, int 
 
 /* Of the lanes, those in which the ray passes so near to an edge of face i, or meets its plane so near to the nearest face, that
  * rounding might put the point on the other side. */
-NOINLINE Mask barely_meet(const Geometry *g, const Ray *ray, Mask lanes, int i, const Nearest *nearest)
+NOINLINE Mask near_tie(const Geometry *g, const Ray *ray, Mask lanes, int i, const Nearest *nearest)
 {
 #if REAL_DOUBLE || HAS_DOUBLE
     const wide share = 0x1p-26f; /* rounding in `wide` is far below it */
@@ -178,7 +178,7 @@ NOINLINE Mask barely_meet(const Geometry *g, const Ray *ray, Mask lanes, int i, 
 
 /* Asks face i; true if it is nearer in some lane. Comparisons are such that NaN, from overflow, is a doubt. close: collects the
  * lanes in which rounding decides, or might make the back of a closed box as near as its front. */
-INLINE bool ask_nearest_from(const Geometry *g, const Pencil *p, const Ray *ray, const ApexFace *f, int i, Nearest *nearest,
+INLINE bool intersect_nearest_from(const Geometry *g, const OriginPacket *p, const Ray *ray, const FaceSetup *f, int i, Nearest *nearest,
                              Mask *close)
 {
     Lanes edge = least_edge(p->ahead, f);
@@ -192,7 +192,7 @@ INLINE bool ask_nearest_from(const Geometry *g, const Pencil *p, const Ray *ray,
     Mask take = may & IS(edge > (Lanes)f->edge_error) & IS(low > nearest->high) & IS(high < nearest->limit);
     Mask doubt = may & ~take;
     if (ANY(doubt | grazing))
-        *close |= barely_meet(g, ray, doubt | grazing, i, nearest);
+        *close |= near_tie(g, ray, doubt | grazing, i, nearest);
     nearest->low = take ? low : nearest->low;
     nearest->high = take ? high : nearest->high;
     nearest->face = take ? (Mask)i : nearest->face;
@@ -203,12 +203,12 @@ INLINE bool ask_nearest_from(const Geometry *g, const Pencil *p, const Ray *ray,
         fetch(g->planes + (size_t)i * PLANE_REALS, PLANE_REALS * sizeof(wide));
     }
     if (ANY(doubt))
-        nearer |= settle_nearest(g, ray, doubt, i, nearest);
+        nearer |= resolve_nearest_exactly(g, ray, doubt, i, nearest);
     return nearer;
 }
 
-/* Asks face i, seen from the light; the active lanes whose points it blocks. doubt: those that only ask_blocked can tell. */
-INLINE Mask ask_blocked_from(const Pencil *p, const ApexFace *f, int i, Mask *doubt)
+/* Asks face i, seen from the light; the active lanes whose points it blocks. doubt: those that only intersect_segment can tell. */
+INLINE Mask intersect_segment_from(const OriginPacket *p, const FaceSetup *f, int i, Mask *doubt)
 {
     Lanes edge = least_edge(p->ahead, f), edge_error = p->doubt * f->edge_error;
     Mask may = p->active & ~IS(edge < -edge_error) & IS(p->left != (Mask)i);

@@ -6,7 +6,7 @@
 #include "packet/geometry.cl"
 #include "packet/counters.cl"
 #include "packet/accel.cl"
-#include "packet/bundle.cl"
+#include "packet/ray_bounds.cl"
 
 /* Parts of the bundle's way still to be walked, the nearest on top. */
 typedef struct Stack {
@@ -27,7 +27,7 @@ INLINE void stack_push(Stack *stack, int node, Part part)
     stack->count++;
 }
 
-INLINE bool part_is_empty(const Bundle *b, Part part) { return !(part.enter <= GROWN(part.leave)) || part.enter > b->reach; }
+INLINE bool part_is_empty(const RayBounds *b, Part part) { return !(part.enter <= GROWN(part.leave)) || part.enter > b->reach; }
 
 /* The part on the low side of a plane. As in cross_slab, NaN narrows nothing. */
 INLINE Part below_plane(Slab s, real plane, Part part)
@@ -58,7 +58,7 @@ INLINE Part above_plane(Slab s, real plane, Part part)
 }
 
 /* The part in the box of the whole tree. */
-INLINE Part part_in_tree(const Tree *tree, const Bundle *b)
+INLINE Part part_in_tree(const Tree *tree, const RayBounds *b)
 {
     Part part = {0, b->reach};
     for (int axis = 0; axis < 3; axis++) {
@@ -69,9 +69,9 @@ INLINE Part part_in_tree(const Tree *tree, const Bundle *b)
 }
 
 /* Does the bundle miss all that is in the tree? */
-INLINE bool misses_all(const Tree *tree, const Bundle *b) { return part_is_empty(b, part_in_tree(tree, b)); }
+INLINE bool misses_all(const Tree *tree, const RayBounds *b) { return part_is_empty(b, part_in_tree(tree, b)); }
 
-INLINE Stack stack_of(const Tree *tree, const Bundle *b)
+INLINE Stack stack_of(const Tree *tree, const RayBounds *b)
 {
     Stack stack;
     stack.count = 0;
@@ -80,7 +80,7 @@ INLINE Stack stack_of(const Tree *tree, const Bundle *b)
 }
 
 /* Puts back the leaf that was taken last. */
-INLINE void put_back(Stack *stack) { stack->count++; }
+INLINE void push_back(Stack *stack) { stack->count++; }
 
 /* For rays whose t has another unit. */
 INLINE void forget_distances(Stack *stack)
@@ -95,7 +95,7 @@ INLINE int face_in_leaf(const Tree *tree, int i) { return tree->ints[tree->ints[
 
 /* The next leaf that the bundle meets, nearest first: its faces are those of first .. first + count - 1. False: there is
  * none. */
-INLINE bool next_leaf(const Geometry *g, const Tree *tree, const Bundle *b, uint rays, Stack *stack, int *first, int *count,
+INLINE bool next_leaf(const Geometry *g, const Tree *tree, const RayBounds *b, uint rays, Stack *stack, int *first, int *count,
                       Counters *counters)
 {
     while (stack->count > 0) {

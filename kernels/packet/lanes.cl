@@ -4,7 +4,7 @@
 #include "shared/precision.cl"
 
 /* Is that work left out where a scene does not need it? p: the Parameters. */
-#define SKIPS(p, skip) (!((p)->no_skip >> (skip) & 1))
+#define MAY_SKIP(p, skip) (!((p)->no_skip >> (skip) & 1))
 
 /* Asks for cache lines ahead of their use. */
 INLINE void fetch(global const void *p, uint bytes)

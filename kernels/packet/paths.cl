@@ -36,8 +36,8 @@ INLINE void trail_add(Trail *trails, int p, Mask faces, Mask active) {}
 #endif
 
 /* The nearest faces of rays that come from images of the eye: those that share one are searched together. */
-INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, real length, const Rest *left,
-                           Pencil *pencils, Nearest *nearest, Mask *close, Counters *counters)
+INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, real length, const Traversal *left,
+                           OriginPacket *pencils, Nearest *nearest, Mask *close, Counters *counters)
 {
     Mask rest[PACKETS];
     EACH_PACKET(p)
@@ -73,7 +73,7 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
             nearest[p].limit = 1 / nearest[p].begin;
         }
         Apex a = apex_at(image, -lanes_lowest(-spread), length);
-        Bundle all = bundle_from(&a, pencils, PACKETS, 0);
+        RayBounds all = bounds_from(&a, pencils, PACKETS, 0);
         find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, left, false, close, counters);
     }
     EACH_PACKET(p)
@@ -81,13 +81,13 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
 }
 
 /* The nearest faces of all paths; first from the eye, then from its images. left: what is left to be asked, or NULL: all. */
-INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, const Bundle *seen, const Path *paths,
-                         const Ray *rays, bool from_eye, const Rest *left, Nearest *nearest, Mask *close, Counters *counters)
+INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, const RayBounds *seen, const Path *paths,
+                         const Ray *rays, bool from_eye, const Traversal *left, Nearest *nearest, Mask *close, Counters *counters)
 {
-    Pencil pencils[PACKETS];
+    OriginPacket pencils[PACKETS];
     EACH_PACKET(p) {
         nearest[p] = nothing_yet();
-        pencils[p] = no_pencil();
+        pencils[p] = no_origin_packet();
         pencils[p].active = paths[p].active;
         if (!ANY(paths[p].active))
             continue;
@@ -116,8 +116,8 @@ INLINE void begin_paths(Path *paths, const Ray *rays)
 /* Adds to each path's total its hits' illuminations, each weighted by the mirrors before it. The rays have been mirrored so
  * many times as `bounces` says; those from the eye, an apex, are the bundle `seen`. left: of the first search, as
  * find_nearest. trails: one per packet, or NULL. */
-TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, const Apex *apex, const Bundle *seen, int bounces,
-                       Path *paths, Ray *rays, const Rest *left, Trail *trails, Counters *counters)
+TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, const Apex *apex, const RayBounds *seen, int bounces,
+                       Path *paths, Ray *rays, const Traversal *left, Trail *trails, Counters *counters)
 {
     constant const Parameters *parameters = s->parameters;
     Vec background = vec_row(s->view + VIEW_BACKGROUND);
@@ -127,12 +127,12 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, con
         find_nearest(g, s->tree, apex, seen, paths, rays, bounces == 0, left, nearest, close, counters);
 
         Surface surfaces[PACKETS];
-        Sketch sketches[PACKETS];
+        ApproxPoint approx[PACKETS];
         Vec v[PACKETS], illumination[PACKETS];
         Mask active[PACKETS], lit[PACKETS];
         const wide *one_apex = bounces == 0 ? eye : 0;
-        Points points;
-        points_of(&points, g, rays, nearest, active, bounces == 0);
+        LazyPoints points;
+        begin_points(&points, g, rays, nearest, active, bounces == 0);
         EACH_PACKET(p) {
             Path *path = paths + p;
             trail_add(trails, p, nearest[p].face, path->active);
@@ -143,12 +143,12 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, con
             if (!ANY(path->active))
                 continue;
             Vec ahead = vec_to_real(rays[p].direction);
-            find_surface(g, s, nearest + p, path->active, ahead, one_apex, &path->apex, surfaces + p, sketches + p);
-            v[p] = look_back(s, eye, sketches + p, ahead, bounces == 0, from_apexes(eye, one_apex, &path->apex), &points, p);
+            find_surface(g, s, nearest + p, path->active, ahead, one_apex, &path->apex, surfaces + p, approx + p);
+            v[p] = look_back(s, eye, approx + p, ahead, bounces == 0, from_apexes(eye, one_apex, &path->apex), &points, p);
         }
         if (!any_packet(active))
             return;
-        shade(g, s, surfaces, sketches, one_apex, paths, &points, close, v, active, illumination, lit, counters);
+        shade(g, s, surfaces, approx, one_apex, paths, &points, close, v, active, illumination, lit, counters);
 
         EACH_PACKET(p) {
             Path *path = paths + p;

@@ -34,17 +34,17 @@ INLINE WideVec point_on(const Geometry *g, const Ray *ray, bool from_eye, int fa
     return wide_add(ray->origin, wide_scale(t, ray->direction));
 }
 
-typedef struct Points {
+typedef struct LazyPoints {
     const Geometry *g;
     const Ray *rays;
     const Nearest *nearest;
     const Mask *active;
     bool from_eye; /* the rays have one origin */
-    Mask told[PACKETS]; /* the lanes whose points are told */
+    Mask ready[PACKETS]; /* the lanes whose points are told */
     WideVec point[PACKETS], shifted[PACKETS];
-} Points;
+} LazyPoints;
 
-INLINE void points_of(Points *points, const Geometry *g, const Ray *rays, const Nearest *nearest, const Mask *active, bool from_eye)
+INLINE void begin_points(LazyPoints *points, const Geometry *g, const Ray *rays, const Nearest *nearest, const Mask *active, bool from_eye)
 {
     points->g = g;
     points->rays = rays;
@@ -52,21 +52,21 @@ INLINE void points_of(Points *points, const Geometry *g, const Ray *rays, const 
     points->active = active;
     points->from_eye = from_eye;
     EACH_PACKET(p)
-        points->told[p] = (Mask)0;
+        points->ready[p] = (Mask)0;
 }
 
 /* Tells the points of those lanes of packet p, and of all active ones that meet the same faces, if they are not told yet. */
-NOINLINE void tell_points(Points *points, int p, Mask lanes)
+NOINLINE void need_points(LazyPoints *points, int p, Mask lanes)
 {
     const Geometry *g = points->g;
     const Nearest *nearest = points->nearest + p;
     WideMask with_normal = TO_WIDE_MASK(nearest->with_normal);
-    for (Mask rest = lanes & points->active[p] & ~points->told[p]; ANY(rest);) {
+    for (Mask rest = lanes & points->active[p] & ~points->ready[p]; ANY(rest);) {
         int face = first_of(nearest->face, rest);
         Mask here = points->active[p] & IS(nearest->face == (Mask)face);
-        bool first = !ANY(points->told[p]);
+        bool first = !ANY(points->ready[p]);
         rest &= ~here;
-        points->told[p] |= here;
+        points->ready[p] |= here;
         WideVec point = point_on(g, points->rays + p, points->from_eye, face, here);
         PlaneRow plane = plane_row(g, face);
         WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
@@ -83,9 +83,9 @@ NOINLINE void tell_points(Points *points, int p, Mask lanes)
     }
 }
 
-INLINE const WideVec *shifted_point(Points *points, int p, Mask lanes)
+INLINE const WideVec *shifted_point(LazyPoints *points, int p, Mask lanes)
 {
-    tell_points(points, p, lanes);
+    need_points(points, p, lanes);
     return points->shifted + p;
 }
 
@@ -105,9 +105,9 @@ static WideVec wide_normal(const Geometry *g, const Nearest *nearest, Mask activ
 
 /* The rays of packet p's active lanes after their faces have mirrored them, and the image of their apex. In double directions are
  * made unit vectors, as the reference does it; float leaves them as long as they are, and the image's camera has the same. */
-INLINE void reflect(Points *points, int p, Mask active, Ray *ray, WideVec *apex)
+INLINE void reflect(LazyPoints *points, int p, Mask active, Ray *ray, WideVec *apex)
 {
-    tell_points(points, p, active);
+    need_points(points, p, active);
     WideVec r = PLAIN_IS_POOR ? wide_unit(ray->direction) : ray->direction, n = wide_normal(points->g, points->nearest + p, active);
     ray->direction = wide_sub(r, wide_scale(2 * wide_dot(r, n), n));
     ray->origin = points->shifted[p];

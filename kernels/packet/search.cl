@@ -36,22 +36,22 @@ INLINE real farthest(const Nearest *n, Mask active)
 }
 
 /* What a search of all rays of a tile has left to be asked: what `stack` leads to, and one face, -1: none. */
-typedef struct Rest {
+typedef struct Traversal {
     Stack stack;
     int face;
-} Rest;
+} Traversal;
 
-INLINE Rest rest_of_all(const Tree *tree, const Bundle *b)
+INLINE Traversal begin_traversal(const Tree *tree, const RayBounds *b)
 {
-    Rest rest = {stack_of(tree, b), -1};
+    Traversal rest = {stack_of(tree, b), -1};
     return rest;
 }
 
 /* The nearest faces ahead of the active lanes of the pencils, which come from one apex, among the rest. False: after more than
- * `budget` faces it stopped; what it has not asked then is in `rest`. `outside`: as see_face. close: collects the lanes that
+ * `budget` faces it stopped; what it has not asked then is in `rest`. `outside`: as setup_face. close: collects the lanes that
  * might need what is left out. */
-INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, const Pencil *pencils, const Ray *rays,
-                         Nearest *nearest, Bundle b, Rest *rest, int packets, uint budget, bool outside, Mask *close,
+INLINE bool traverse_nearest(const Geometry *g, const Tree *tree, const Apex *a, const OriginPacket *pencils, const Ray *rays,
+                         Nearest *nearest, RayBounds b, Traversal *rest, int packets, uint budget, bool cull_boxes, Mask *close,
                          Counters *counters)
 {
     real reach[PACKETS];
@@ -63,8 +63,8 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
     }
     if (lanes == 0)
         return true;
-    if (outside)
-        bundle_leave_out_sides(&b, false);
+    if (cull_boxes)
+        bounds_cull_sides(&b, false);
     for (int first, count; asked <= budget;) {
         bool single = rest->face >= 0;
         if (single)
@@ -74,9 +74,9 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
         asked += (uint)count;
         for (int k = 0; k < count; k++) {
             int i = single ? rest->face : face_in_leaf(tree, first + k);
-            ApexFace face;
-            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, false, outside, &face);
-            if (sight == SIGHT_NONE) {
+            FaceSetup face;
+            Visibility visibility = setup_face(a, g->edges + (size_t)i * FACE_REALS, false, cull_boxes, &face);
+            if (visibility == CULLED) {
                 if (face.closed)
                     counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
                 continue;
@@ -84,18 +84,18 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
             real farthest_reach = 0;
             EACH_OF(p, packets) {
                 if (reach[p] > 0) {
-                    const Pencil *pencil = pencils + p;
-                    if (sight == SIGHT_DOUBTFUL)
+                    const OriginPacket *pencil = pencils + p;
+                    if (visibility == UNCERTAIN)
                         close[p] |= pencil->active;
-                    bool nearer = sight == SIGHT_CLEAR
-                                      ? ask_nearest_from(g, pencil, rays + p, &face, i, nearest + p, close + p)
-                                      : settle_nearest(g, rays + p, pencil->active & IS(pencil->left != (Mask)i), i, nearest + p);
+                    bool nearer = visibility == VISIBLE
+                                      ? intersect_nearest_from(g, pencil, rays + p, &face, i, nearest + p, close + p)
+                                      : resolve_nearest_exactly(g, rays + p, pencil->active & IS(pencil->left != (Mask)i), i, nearest + p);
                     if (nearer)
                         reach[p] = farthest(nearest + p, pencil->active);
                     farthest_reach = GREATER(farthest_reach, reach[p]);
                 }
             }
-            bundle_shorten(&b, farthest_reach);
+            bounds_shorten(&b, farthest_reach);
         }
         rest->face = -1;
     }
@@ -106,26 +106,26 @@ INLINE bool walk_nearest(const Geometry *g, const Tree *tree, const Apex *a, con
 /* The same for all packets among what is left, NULL: all; where together they meet too many faces, each goes on by itself.
  * Then all is asked anew for the lanes in which what was left out might matter, which `close` collects. all: the bundle of all
  * rays. What is active in the pencils does not stay. */
-INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, Pencil *pencils, const Ray *rays,
-                              Nearest *nearest, const Bundle *all, const Rest *left, bool outside, Mask *close, Counters *counters)
+INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, OriginPacket *pencils, const Ray *rays,
+                              Nearest *nearest, const RayBounds *all, const Traversal *left, bool cull_boxes, Mask *close, Counters *counters)
 {
     EACH_PACKET(p)
         close[p] = (Mask)0;
     int packets = PACKETS;
     uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
-    Rest rest = left ? *left : rest_of_all(tree, all);
+    Traversal rest = left ? *left : begin_traversal(tree, all);
     __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets) {
-        Bundle b = packets < PACKETS ? bundle_from(a, pencils + p, 1, 0) : *all;
-        Rest here = rest;
-        if (!walk_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, &here, packets, budget, outside, close + p,
+        RayBounds b = packets < PACKETS ? bounds_from(a, pencils + p, 1, 0) : *all;
+        Traversal here = rest;
+        if (!traverse_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, &here, packets, budget, cull_boxes, close + p,
                           counters)) {
             rest = here;
             p = -1;
             packets = 1;
             budget = NO_BUDGET;
-        } else if (outside && p + packets == PACKETS && any_packet(close)) {
-            outside = false;
-            rest = rest_of_all(tree, all);
+        } else if (cull_boxes && p + packets == PACKETS && any_packet(close)) {
+            cull_boxes = false;
+            rest = begin_traversal(tree, all);
             EACH_PACKET(k)
                 pencils[k].active = close[k];
             p = -packets;
@@ -134,7 +134,7 @@ INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a
 }
 
 /* The active lanes whose direction is as like that of the first active one as `near` says, pencil by pencil. */
-INLINE void like_first(const Pencil *pencils, const Mask *rest, real near, Mask *like)
+INLINE void like_first(const OriginPacket *pencils, const Mask *rest, real near, Mask *like)
 {
     int first = 0;
     while (!ANY(rest[first]))
@@ -152,39 +152,39 @@ INLINE void like_first(const Pencil *pencils, const Mask *rest, real near, Mask 
 }
 
 /* The bundle of shadow rays told from the apex, as far as they go. */
-INLINE Bundle bundle_of_shadow_rays(const Apex *a, const Pencil *pencils)
+INLINE RayBounds bounds_of_shadow_rays(const Apex *a, const OriginPacket *pencils)
 {
     Lanes ends = (Lanes)REACH_ALL, doubts = (Lanes)1;
     EACH_PACKET(p) {
-        const Pencil *pencil = pencils + p;
+        const OriginPacket *pencil = pencils + p;
         ends = (pencil->active & IS(pencil->per_end < ends)) ? pencil->per_end : ends;
         doubts = (pencil->active & IS(pencil->doubt > doubts)) ? pencil->doubt : doubts;
     }
     real share = SHARE_OF(-lanes_lowest(-doubts));
-    Bundle b = bundle_from(a, pencils, PACKETS, share);
-    bundle_shorten(&b, (1 + 2 * share) / lanes_lowest(ends));
+    RayBounds b = bounds_from(a, pencils, PACKETS, share);
+    bounds_shorten(&b, (1 + 2 * share) / lanes_lowest(ends));
     return b;
 }
 
 /* blocked: collects the active lanes of the pencils whose segments from the point to the target, an apex, a face blocks,
  * strictly between the two, among the faces that `stack` leads to; they are active no more. False: after more than `budget`
  * faces it stopped; what it has not asked then is on the stack. */
-INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, const wide *target, Pencil *pencils, Points *points,
-                         Mask *blocked, Bundle b, Stack *stack, uint budget, bool outside, Counters *counters)
+INLINE bool traverse_segments(const Geometry *g, const Tree *tree, const Apex *a, const wide *target, OriginPacket *pencils, LazyPoints *points,
+                         Mask *blocked, RayBounds b, Stack *stack, uint budget, bool cull_boxes, Counters *counters)
 {
     uint asking[PACKETS], lanes = 0, asked = 0;
     EACH_PACKET(p)
         lanes += asking[p] = mask_count(pencils[p].active);
-    if (outside)
-        bundle_leave_out_sides(&b, true);
+    if (cull_boxes)
+        bounds_cull_sides(&b, true);
     for (int first, count; asked <= budget && next_leaf(g, tree, &b, lanes, stack, &first, &count, counters);) {
         asked += (uint)count;
         for (int k = first; k < first + count; k++) {
             int i = face_in_leaf(tree, k);
             counters->kinds[COUNT_FACE_TESTS] += lanes;
-            ApexFace face;
-            Sight sight = see_face(a, g->edges + (size_t)i * FACE_REALS, true, outside, &face);
-            if (sight == SIGHT_NONE) {
+            FaceSetup face;
+            Visibility visibility = setup_face(a, g->edges + (size_t)i * FACE_REALS, true, cull_boxes, &face);
+            if (visibility == CULLED) {
                 if (face.closed)
                     counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
                 continue;
@@ -192,12 +192,12 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
             EACH_PACKET(p) {
                 if (asking[p] == 0)
                     continue;
-                Pencil *pencil = pencils + p;
+                OriginPacket *pencil = pencils + p;
                 Mask hit = (Mask)0, doubt = pencil->active & IS(pencil->left != (Mask)i);
-                if (sight == SIGHT_CLEAR)
-                    hit = ask_blocked_from(pencil, &face, i, &doubt);
+                if (visibility == VISIBLE)
+                    hit = intersect_segment_from(pencil, &face, i, &doubt);
                 if (ANY(doubt))
-                    hit |= ask_blocked(g, shifted_point(points, p, doubt), target, doubt, i);
+                    hit |= intersect_segment(g, shifted_point(points, p, doubt), target, doubt, i);
                 if (ANY(hit)) {
                     blocked[p] |= hit;
                     pencil->active &= ~hit;
@@ -215,14 +215,14 @@ INLINE bool walk_blocked(const Geometry *g, const Tree *tree, const Apex *a, con
 /* The same for the lanes `asking`, in groups of like directions: one that meets many faces is cut, and its parts go on where
  * it stopped. Those that are `close` come last, and all faces are asked for them. all: leads to what may block any of them, or
  * NULL: the root does. */
-NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, Pencil *pencils, Points *points,
+NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, OriginPacket *pencils, LazyPoints *points,
                            const Mask *close, const Mask *asking, const Stack *all, Mask *blocked, Counters *counters)
 {
     Apex a = apex_at(target, 0, 1 + 4 * REAL_ROUNDING);
     Mask rest[NEAR_LEVELS][PACKETS]; /* level by level: first all, then those of the group above that has been cut */
     Stack stacks[NEAR_LEVELS - 1];   /* what that group has left */
     real near = NEAR_MOST;
-    bool outside = true;
+    bool cull_boxes = true;
     EACH_PACKET(p) {
         blocked[p] = (Mask)0;
         rest[0][p] = asking[p] & ~close[p];
@@ -234,9 +234,9 @@ NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *targ
                 near /= NEAR_LESS;
                 continue;
             }
-            if (!outside)
+            if (!cull_boxes)
                 return;
-            outside = false;
+            cull_boxes = false;
             EACH_PACKET(p)
                 rest[0][p] = asking[p] & close[p];
             continue;
@@ -247,10 +247,10 @@ NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *targ
             rest[level][p] &= ~group[p];
             pencils[p].active = group[p];
         }
-        Bundle b = bundle_of_shadow_rays(&a, pencils);
+        RayBounds b = bounds_of_shadow_rays(&a, pencils);
         Stack stack = level > 0 ? stacks[level - 1] : all ? *all : stack_of(tree, &b);
         uint budget = level + 1 < NEAR_LEVELS ? BLOCKED_BUDGET : NO_BUDGET;
-        if (!walk_blocked(g, tree, &a, target, pencils, points, blocked, b, &stack, budget, outside, counters)) {
+        if (!traverse_segments(g, tree, &a, target, pencils, points, blocked, b, &stack, budget, cull_boxes, counters)) {
             stacks[level++] = stack;
             near *= NEAR_LESS;
             EACH_PACKET(p)
@@ -262,19 +262,19 @@ NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *targ
 /* The nearest faces ahead of one packet of any rays, exactly. */
 static Hit find_nearest_apart(const Geometry *g, const Tree *tree, const Ray *ray, Mask active, Counters *counters)
 {
-    Line l = line(vec_to_real(ray->origin), vec_to_real(ray->direction));
+    RealRay l = real_ray(vec_to_real(ray->origin), vec_to_real(ray->direction));
     Hit nearest = no_hit();
     uint lanes = mask_count(active);
-    Bundle b = bundle_of(&l, active);
+    RayBounds b = bounds_of(&l, active);
     Stack stack = stack_of(tree, &b);
     for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
         bool nearer = false;
         for (int k = first; k < first + count; k++)
-            nearer |= ask_nearest(g, &l, ray, active, face_in_leaf(tree, k), &nearest);
+            nearer |= intersect_nearest(g, &l, ray, active, face_in_leaf(tree, k), &nearest);
         counters->kinds[COUNT_FACE_TESTS] += lanes * (uint)count;
         if (nearer) {
             Lanes t = TO_REAL(nearest.t_in_box < (Wide)REACH_ALL ? nearest.t_in_box : (Wide)REACH_ALL) * l.scale;
-            bundle_shorten(&b, -lanes_lowest(active ? -t : (Lanes)0));
+            bounds_shorten(&b, -lanes_lowest(active ? -t : (Lanes)0));
         }
     }
     return nearest;
@@ -290,7 +290,7 @@ static Mask same_origin(const Ray *ray)
 /* The same for rays that all start at one point. */
 static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray *ray, Mask active, Counters *counters)
 {
-    Pencil pencils[PACKETS];
+    OriginPacket pencils[PACKETS];
     Nearest nearest[PACKETS];
     Ray rays[PACKETS];
     Mask close[PACKETS];
@@ -304,7 +304,7 @@ static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray
     }
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
     Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_magnitudes(direction) : (Lanes)0));
-    Bundle all = bundle_from(&a, pencils, PACKETS, 0);
+    RayBounds all = bounds_from(&a, pencils, PACKETS, 0);
     find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, 0, false, close, counters);
     return exact_hit(g, ray, nearest, active);
 }

@@ -36,24 +36,24 @@ typedef struct Shading {
 
 /* Where rays meet their faces as float can tell it: from their apex, so that it does not matter how far from 0 the scene lies.
  * It serves shading, and shadow rays, where its error is a small enough share of the distance to the light and to the viewer. */
-#define SKETCHED (!PLAIN_IS_POOR)
-#define SKETCH_MOST ((real)0x1p-14f)
+#define HAS_APPROX (!PLAIN_IS_POOR)
+#define APPROX_MOST ((real)0x1p-14f)
 
-typedef struct Sketch {
+typedef struct ApproxPoint {
     Vec from_apex;
     Lanes error;  /* the point is not farther from the exact one */
     Lanes length; /* of the ray's direction */
-} Sketch;
+} ApproxPoint;
 
 /* N.(v0 - A), t's numerator, which has no error worth mentioning; of a face seen from one apex, and from each lane's. */
-INLINE real sketch_height(const Geometry *g, int face, const wide *apex)
+INLINE real approx_height(const Geometry *g, int face, const wide *apex)
 {
     global const wide *n = g->planes + (size_t)face * PLANE_REALS;
     global const real *v = face_row(g, face) + FACE_VERTICES;
     return (real)(n[0] * (v[0] - apex[0]) + n[1] * (v[4] - apex[1]) + n[2] * (v[8] - apex[2]));
 }
 
-INLINE Lanes sketch_heights(const Geometry *g, int face, WideVec apex)
+INLINE Lanes approx_heights(const Geometry *g, int face, WideVec apex)
 {
     global const wide *n = g->planes + (size_t)face * PLANE_REALS;
     global const real *v = face_row(g, face) + FACE_VERTICES;
@@ -67,29 +67,29 @@ INLINE real vertex_magnitudes(const Geometry *g, int face)
 }
 
 /* How far t R may be off, for R of that length. */
-#define SKETCH_ERROR(t, length, per_approach, off) (((8 * REAL_ROUNDING) * (t) * (length) + (off)) * (1 + (length) * (per_approach)))
+#define APPROX_ERROR(t, length, per_approach, off) (((8 * REAL_ROUNDING) * (t) * (length) + (off)) * (1 + (length) * (per_approach)))
 
 /* height: N.(v0 - A), and how far it, and A, may be off; normal: N of the lanes' faces. Where rounding may decide the sign of
  * N.R, or that of t, there is no bound. */
-INLINE Sketch sketch(Vec ahead, Lanes height, Lanes off, Vec normal)
+INLINE ApproxPoint approx_point(Vec ahead, Lanes height, Lanes off, Vec normal)
 {
-    Sketch s;
+    ApproxPoint s;
     Lanes approach = FMA(ahead.x, normal.x, FMA(ahead.y, normal.y, ahead.z * normal.z));
     Lanes per_approach = 1 / approach, t = height * per_approach;
     s.length = sqrt(vec_dot(ahead, ahead));
     s.from_apex = vec_scale(t, ahead);
     Mask sure = IS(t > (Lanes)0) & IS(fabs(approach) > (16 * REAL_ROUNDING) * s.length);
-    s.error = sure ? SKETCH_ERROR(t, s.length, fabs(per_approach), off) : (Lanes)INFINITY;
+    s.error = sure ? APPROX_ERROR(t, s.length, fabs(per_approach), off) : (Lanes)INFINITY;
     return s;
 }
 
 /* How far an apex may be off after up to PATH_MAX mirrors, and a height over a plane, for coordinates of that sum of
  * magnitudes. */
-#define SKETCH_OFF(magnitudes) ((real)0x1p-41f * (magnitudes) + (real)0x1p-52f)
+#define APPROX_OFF(magnitudes) ((real)0x1p-41f * (magnitudes) + (real)0x1p-52f)
 
 /* What the rays' nearest faces are made of, and the sketch of their points. apex: of all rays, or NULL: then of each. */
 INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nearest, Mask active, Vec ahead, const wide *apex,
-                         const WideVec *apexes, Surface *surface, Sketch *drawn)
+                         const WideVec *apexes, Surface *surface, ApproxPoint *approx)
 {
     Mask faces = nearest->face;
     surface->face = faces;
@@ -97,7 +97,7 @@ INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nea
     surface->only = first_of(faces, active);
     surface->only_material = face_material(g, surface->only);
     Lanes height = (Lanes)0, off = (Lanes)0, apart = (Lanes)0;
-    if (SKETCHED)
+    if (HAS_APPROX)
         apart = apex ? (Lanes)(real)(fabs(apex[0]) + fabs(apex[1]) + fabs(apex[2])) : TO_REAL(wide_magnitudes(*apexes));
     bool first = true;
     for (Mask rest = active; ANY(rest); first = false) {
@@ -108,9 +108,9 @@ INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nea
         Vec normal = vec((Lanes)(real)plane[0], (Lanes)(real)plane[1], (Lanes)(real)plane[2]);
         Lanes reflection = (Lanes)s->materials[(size_t)material * MATERIAL_REALS + MATERIAL_REFLECTION];
         Lanes its_height = (Lanes)0, its_off = (Lanes)0;
-        if (SKETCHED) {
-            its_height = apex ? (Lanes)sketch_height(g, face, apex) : sketch_heights(g, face, *apexes);
-            its_off = SKETCH_OFF(apart + vertex_magnitudes(g, face));
+        if (HAS_APPROX) {
+            its_height = apex ? (Lanes)approx_height(g, face, apex) : approx_heights(g, face, *apexes);
+            its_off = APPROX_OFF(apart + vertex_magnitudes(g, face));
         }
         if (first) { /* mostly there is one face */
             surface->normal = normal;
@@ -129,21 +129,21 @@ INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nea
         if (material != surface->only_material)
             surface->only_material = -1;
     }
-    if (SKETCHED)
-        *drawn = sketch(ahead, height, off, surface->normal);
+    if (HAS_APPROX)
+        *approx = approx_point(ahead, height, off, surface->normal);
     Vec n = surface->normal;
     surface->normal = vec_select(surface->with_normal, vec(-n.x, -n.y, -n.z), n);
 }
 
 /* From the points to a place that lies at `at`, told from the apex: unit vectors, and 1 / their length. False where the sketch
  * is too rough in some active lane. share: the sketch's error as a share of the length. */
-INLINE bool sketch_towards(const Sketch *drawn, Vec at, Mask active, Vec *unit, Lanes *per_length, Lanes *share)
+INLINE bool approx_towards(const ApproxPoint *approx, Vec at, Mask active, Vec *unit, Lanes *per_length, Lanes *share)
 {
-    Vec d = vec_sub(at, drawn->from_apex);
+    Vec d = vec_sub(at, approx->from_apex);
     *per_length = 1 / sqrt(vec_dot(d, d));
     *unit = vec_scale(*per_length, d);
-    *share = (drawn->error + 2 * REAL_ROUNDING * vec_largest(at)) * *per_length;
-    return !ANY(active & ~IS(*share <= (Lanes)SKETCH_MOST));
+    *share = (approx->error + 2 * REAL_ROUNDING * vec_largest(at)) * *per_length;
+    return !ANY(active & ~IS(*share <= (Lanes)APPROX_MOST));
 }
 
 /* On which side of the face that was asked last a light is: neighbours mostly ask for the same face. */
@@ -196,7 +196,7 @@ INLINE Lanes highlight_of(Vec l, Vec v, Vec normal, real exponent)
 
 INLINE bool makes_highlight(const Shading *s, real3 colour)
 {
-    return !SKIPS(s->parameters, SKIP_HIGHLIGHT) || colour.x != 0 || colour.y != 0 || colour.z != 0;
+    return !MAY_SKIP(s->parameters, SKIP_HIGHLIGHT) || colour.x != 0 || colour.y != 0 || colour.z != 0;
 }
 
 /* Ambient everywhere, the other two where the light reaches. The lanes of a packet mostly have one material. */
@@ -238,7 +238,7 @@ INLINE bool wants_light(const Shading *s, global const real *light)
     bool only_ambient = true;
     for (int i = 0; i < 3; i++)
         only_ambient &= light[LIGHT_DIFFUSE + i] == 0 && light[LIGHT_SPECULAR + i] == 0;
-    return !(SKIPS(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && only_ambient);
+    return !(MAY_SKIP(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && only_ambient);
 }
 
 /* A place as it is told from the apex of each lane's ray. */
@@ -250,10 +250,10 @@ INLINE Vec from_apexes(const wide *place, const wide *apex, const WideVec *apexe
 }
 
 /* Tells the shadow rays of packet p from the light: by the sketch, or else by the exact points. */
-INLINE void aim_shadow_rays(Pencil *pencil, const wide *light, const Sketch *drawn, Vec light_from_apex, Points *points, int p)
+INLINE void aim_shadow_rays(OriginPacket *pencil, const wide *light, const ApproxPoint *approx, Vec light_from_apex, LazyPoints *points, int p)
 {
     Lanes share;
-    if (SKETCHED && sketch_towards(drawn, light_from_apex, points->active[p], &pencil->ahead, &pencil->per_end, &share)) {
+    if (HAS_APPROX && approx_towards(approx, light_from_apex, points->active[p], &pencil->ahead, &pencil->per_end, &share)) {
         pencil->ahead = vec(-pencil->ahead.x, -pencil->ahead.y, -pencil->ahead.z);
         pencil->doubt = DOUBT_OF(share);
         return;
@@ -262,25 +262,25 @@ INLINE void aim_shadow_rays(Pencil *pencil, const wide *light, const Sketch *dra
 }
 
 /* The unit vectors to the viewer: back along the ray, or from the point to the eye. */
-INLINE Vec look_back(const Shading *s, const wide *eye, const Sketch *drawn, Vec ahead, bool from_eye, Vec eye_from_apex,
-                     Points *points, int p)
+INLINE Vec look_back(const Shading *s, const wide *eye, const ApproxPoint *approx, Vec ahead, bool from_eye, Vec eye_from_apex,
+                     LazyPoints *points, int p)
 {
-    bool along_ray = s->parameters->viewer_ray || (from_eye && SKETCHED);
+    bool along_ray = s->parameters->viewer_ray || (from_eye && HAS_APPROX);
     Vec unit;
     Lanes per_length, share;
-    if (SKETCHED && along_ray)
-        return vec_scale(-1 / drawn->length, ahead);
-    if (SKETCHED && sketch_towards(drawn, eye_from_apex, points->active[p], &unit, &per_length, &share))
+    if (HAS_APPROX && along_ray)
+        return vec_scale(-1 / approx->length, ahead);
+    if (HAS_APPROX && approx_towards(approx, eye_from_apex, points->active[p], &unit, &per_length, &share))
         return unit;
-    tell_points(points, p, points->active[p]);
+    need_points(points, p, points->active[p]);
     WideVec d = points->rays[p].direction, at = wide_vec((Wide)eye[0], (Wide)eye[1], (Wide)eye[2]);
     return vec_unit(vec_to_real(along_ray ? wide_vec(-d.x, -d.y, -d.z) : wide_sub(at, points->point[p])));
 }
 
 /* colours: the illumination of the active lanes by all lights; `lit` collects the lanes that some light reaches.
  * close: the lanes whose points rounding may have put into a closed box. apex: of all rays, or NULL: then of each. */
-INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, const Sketch *sketches, const wide *apex,
-                  const Path *paths, Points *points, const Mask *close, const Vec *v, const Mask *active, Vec *colours, Mask *lit,
+INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, const ApproxPoint *approx, const wide *apex,
+                  const Path *paths, LazyPoints *points, const Mask *close, const Vec *v, const Mask *active, Vec *colours, Mask *lit,
                   Counters *counters)
 {
     EACH_PACKET(p) {
@@ -293,18 +293,18 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
         light_position(light, position);
         LightSide side = {-1, 0};
         bool only_ambient = !wants_light(s, light);
-        Pencil pencils[PACKETS];
+        OriginPacket pencils[PACKETS];
         Mask facing[PACKETS], asking[PACKETS], blocked[PACKETS];
         EACH_PACKET(p) {
             facing[p] = asking[p] = (Mask)0;
-            pencils[p] = no_pencil();
+            pencils[p] = no_origin_packet();
             if (!ANY(active[p]))
                 continue;
             facing[p] = faces_light(g, surfaces + p, position, active[p], &side);
             asking[p] = facing[p];
             if (only_ambient)
                 counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += mask_count(facing[p]);
-            if (SKIPS(s->parameters, SKIP_LIGHT_BEHIND))
+            if (MAY_SKIP(s->parameters, SKIP_LIGHT_BEHIND))
                 counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += mask_count(active[p] & ~facing[p]);
             else
                 asking[p] = active[p];
@@ -312,7 +312,7 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
                 asking[p] = facing[p] = (Mask)0;
             counters->kinds[COUNT_SHADOW] += mask_count(asking[p]);
             pencils[p].left = surfaces[p].face;
-            aim_shadow_rays(pencils + p, position, sketches + p, from_apexes(position, apex, &paths[p].apex), points, p);
+            aim_shadow_rays(pencils + p, position, approx + p, from_apexes(position, apex, &paths[p].apex), points, p);
         }
         find_blocked(g, s->tree, position, pencils, points, close, asking, 0, blocked, counters);
         EACH_PACKET(p) {
@@ -348,7 +348,7 @@ INLINE Mask too_weak(const Shading *s, Vec total, Lanes weight)
 #if defined(LINEAR) || ADAPTIVE
     return (Mask)0;
 #else
-    if (!SKIPS(s->parameters, SKIP_WEAK_BOUNCE) || s->parameters->grid > 1)
+    if (!MAY_SKIP(s->parameters, SKIP_WEAK_BOUNCE) || s->parameters->grid > 1)
         return (Mask)0;
     Lanes most = weight * (Lanes)s->view[VIEW_BRIGHTEST];
     const real rounded = 1 + 256 * REAL_ROUNDING; /* no sum of up to PATH_MAX terms is rounded up by more */

@@ -13,15 +13,15 @@
 #include "packet/camera.cl"
 #include "tile/frustum.cl"
 
-#define WHOLE_TILES (SKETCHED && !ADAPTIVE && PACKETS > 1)
+#define CLASSIFIES_TILES (HAS_APPROX && !ADAPTIVE && PACKETS > 1)
 
-#if !WHOLE_TILES
+#if !CLASSIFIES_TILES
 
-typedef int Outlook;
+typedef int Classification;
 
-INLINE bool is_told(const Outlook *o) { return false; }
+INLINE bool has_first_hit(const Classification *o) { return false; }
 
-INLINE bool look_out(const Geometry *g, const Shading *s, const Window *window, uint rays, const Outlook *parent, Outlook *o,
+INLINE bool classify_window(const Geometry *g, const Shading *s, const Window *window, uint rays, const Classification *parent, Classification *o,
                      Counters *counters)
 {
     return false;
@@ -31,12 +31,12 @@ INLINE bool look_out(const Geometry *g, const Shading *s, const Window *window, 
 
 /* The part of a face that a window shows. */
 typedef struct Patch {
-    CornerRays corners; /* from the apex */
+    Frustum corners; /* from the apex */
     real error;         /* of the corners, and of any point between them */
 } Patch;
 
 /* height, off: as sketch. */
-INLINE Patch patch_on(const Geometry *g, int face, const CornerRays *c, real height, real off)
+INLINE Patch patch_on(const Geometry *g, int face, const Frustum *c, real height, real off)
 {
     global const wide *plane = g->planes + (size_t)face * PLANE_REALS;
     real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
@@ -46,7 +46,7 @@ INLINE Patch patch_on(const Geometry *g, int face, const CornerRays *c, real hei
     vstore4(t * x, 0, patch.corners.x);
     vstore4(t * y, 0, patch.corners.y);
     vstore4(t * z, 0, patch.corners.z);
-    patch.error = SKETCH_ERROR(most_of(t), longest_of(c), most_of(fabs(per_approach)), off);
+    patch.error = APPROX_ERROR(most_of(t), longest_of(c), most_of(fabs(per_approach)), off);
     return patch;
 }
 
@@ -54,14 +54,14 @@ INLINE Patch patch_on(const Geometry *g, int face, const CornerRays *c, real hei
 INLINE real patch_off(const Geometry *g, int face, const Camera *camera)
 {
     wide apart = fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2]);
-    return SKETCH_OFF((real)apart + vertex_magnitudes(g, face));
+    return APPROX_OFF((real)apart + vertex_magnitudes(g, face));
 }
 
-/* How much of it lies in the shadow of a light. outside, lanes, stack: as find_shade. */
-INLINE Shade find_shade_on(const Geometry *g, const Shading *s, int face, const Patch *patch, const Camera *camera,
-                           const wide *light, bool outside, uint lanes, Stack *stack, Counters *counters)
+/* How much of it lies in the shadow of a light. outside, lanes, stack: as classify_shadow. */
+INLINE ShadowClass classify_shadow_on(const Geometry *g, const Shading *s, int face, const Patch *patch, const Camera *camera,
+                           const wide *light, bool cull_boxes, uint lanes, Stack *stack, Counters *counters)
 {
-    CornerRays c;
+    Frustum c;
     real x = (real)(light[0] - camera->eye[0]), y = (real)(light[1] - camera->eye[1]), z = (real)(light[2] - camera->eye[2]);
     for (int k = 0; k < 4; k++) {
         c.x[k] = patch->corners.x[k] - x;
@@ -70,52 +70,52 @@ INLINE Shade find_shade_on(const Geometry *g, const Shading *s, int face, const 
     }
     real spread = patch->error + 2 * REAL_ROUNDING * GREATER(fabs(x), GREATER(fabs(y), fabs(z)));
     Apex a = apex_at(light, 0, longest_of(&c) * (1 + 4 * REAL_ROUNDING));
-    return find_shade(g, s->tree, &a, &c, spread, face, outside, lanes, stack, counters);
+    return classify_shadow(g, s->tree, &a, &c, spread, face, cull_boxes, lanes, stack, counters);
 }
 
 /* The apex of rays between corners after so many bounces. */
-INLINE Apex apex_of_image(const Shading *s, const Camera *camera, const CornerRays *corners, int bounces)
+INLINE Apex apex_of_image(const Shading *s, const Camera *camera, const Frustum *corners, int bounces)
 {
     real far = (real)(fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2])) + s->view[VIEW_FARTHEST];
     real spread = (real)bounces * ((real)(256 * WIDE_ROUNDING) * far + 4 * SHIFT_FLOOR);
     return apex_at(camera->eye, spread, GREATER(s->view[VIEW_LENGTH], longest_of(corners)) * (1 + 8 * REAL_ROUNDING));
 }
 
-INLINE Rest rest_of_corners(const Tree *tree, const Apex *a, const CornerRays *corners)
+INLINE Traversal begin_in_frustum(const Tree *tree, const Apex *a, const Frustum *corners)
 {
-    Bundle all = bundle_of_corners(a, corners, 0);
-    return rest_of_all(tree, &all);
+    RayBounds all = bounds_of_frustum(a, corners, 0);
+    return begin_traversal(tree, &all);
 }
 
-enum { OUTLOOK_BOUNCES = 16, OUTLOOK_LIGHTS = 32 };
+enum { CLASSIFIED_BOUNCES = 16, CLASSIFIED_LIGHTS = 32 };
 
 /* What the corners of a window tell of all its pixels, bounce by bounce. */
-typedef struct Outlook {
+typedef struct Classification {
     int bounces; /* so many are told; of the next one `rest` is left to be searched */
-    Whole faces[OUTLOOK_BOUNCES];
-    uint facing[OUTLOOK_BOUNCES]; /* bit i: the face is turned to light i, of the first OUTLOOK_LIGHTS */
-    uint clear[OUTLOOK_BOUNCES];  /* nothing is between */
-    uint dark[OUTLOOK_BOUNCES];   /* something is, everywhere */
-    Rest rest;
-} Outlook;
+    CoveringFace faces[CLASSIFIED_BOUNCES];
+    uint facing[CLASSIFIED_BOUNCES]; /* bit i: the face is turned to light i, of the first CLASSIFIED_LIGHTS */
+    uint clear[CLASSIFIED_BOUNCES];  /* nothing is between */
+    uint dark[CLASSIFIED_BOUNCES];   /* something is, everywhere */
+    Traversal rest;
+} Classification;
 
 /* Is it known what is seen first? */
-INLINE bool is_told(const Outlook *o) { return o->bounces > 0; }
+INLINE bool has_first_hit(const Classification *o) { return o->bounces > 0; }
 
 /* Is the side of the face that is seen turned to the light? As turned_to_light. */
-INLINE bool faces_the_light(const Geometry *g, const Whole *w, const wide *light)
+INLINE bool faces_the_light(const Geometry *g, const CoveringFace *w, const wide *light)
 {
     wide side = plane_distance_of_point(g, w->face, light);
     return w->with_normal ? side < 0 : side > 0;
 }
 
 /* Its lights, after so many bounces, but for those that are told. */
-INLINE void look_at_lights(const Geometry *g, const Shading *s, const Camera *camera, const CornerRays *corners, int bounce,
-                           uint rays, Outlook *o, Counters *counters)
+INLINE void classify_lights(const Geometry *g, const Shading *s, const Camera *camera, const Frustum *corners, int bounce,
+                           uint rays, Classification *o, Counters *counters)
 {
-    const Whole *w = o->faces + bounce;
-    Patch patch = patch_on(g, w->face, corners, sketch_height(g, w->face, camera->eye), patch_off(g, w->face, camera));
-    for (int i = 0; i < min((int)OUTLOOK_LIGHTS, s->parameters->light_count); i++) {
+    const CoveringFace *w = o->faces + bounce;
+    Patch patch = patch_on(g, w->face, corners, approx_height(g, w->face, camera->eye), patch_off(g, w->face, camera));
+    for (int i = 0; i < min((int)CLASSIFIED_LIGHTS, s->parameters->light_count); i++) {
         global const real *light = s->lights + i * LIGHT_REALS;
         wide position[3];
         light_position(light, position);
@@ -126,24 +126,24 @@ INLINE void look_at_lights(const Geometry *g, const Shading *s, const Camera *ca
             continue;
         Stack stack;
         uint backs = counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE];
-        Shade shade = find_shade_on(g, s, w->face, &patch, camera, position, bounce == 0, rays, &stack, counters);
-        o->clear[bounce] |= shade == SHADE_NONE ? 1u << i : 0;
-        o->dark[bounce] |= shade == SHADE_ALL ? 1u << i : 0;
-        if (shade == SHADE_SOME)
+        ShadowClass shade = classify_shadow_on(g, s, w->face, &patch, camera, position, bounce == 0, rays, &stack, counters);
+        o->clear[bounce] |= shade == LIT ? 1u << i : 0;
+        o->dark[bounce] |= shade == SHADOWED ? 1u << i : 0;
+        if (shade == PARTLY_SHADOWED)
             counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* parts of the window ask them again */
     }
 }
 
 /* Fills the outlook of a window of so many rays. parent: of a window around it, from which it goes on, or NULL. Returns whether it
  * goes to the end, but for the lights. */
-NOINLINE bool look_out(const Geometry *g, const Shading *s, const Window *window, uint rays, const Outlook *parent, Outlook *o,
+NOINLINE bool classify_window(const Geometry *g, const Shading *s, const Window *window, uint rays, const Classification *parent, Classification *o,
                        Counters *counters)
 {
     Camera camera = camera_of(s);
     int from = -1, told = parent ? parent->bounces : 0;
     for (int bounce = 0;; bounce++) {
-        CornerRays corners = camera_corners(&camera, window);
-        Whole *w = o->faces + bounce;
+        Frustum corners = camera_frustum(&camera, window);
+        CoveringFace *w = o->faces + bounce;
         if (bounce < told) {
             *w = parent->faces[bounce];
             o->facing[bounce] = parent->facing[bounce];
@@ -152,9 +152,9 @@ NOINLINE bool look_out(const Geometry *g, const Shading *s, const Window *window
         } else {
             Apex a = apex_of_image(s, &camera, &corners, bounce);
             o->bounces = bounce;
-            o->rest = parent && bounce == told ? parent->rest : rest_of_corners(s->tree, &a, &corners);
-            if (bounce == OUTLOOK_BOUNCES || !SKIPS(s->parameters, SKIP_WHOLE_TILE) ||
-                !find_whole(g, s->tree, &a, &corners, from, rays, w, &o->rest, counters))
+            o->rest = parent && bounce == told ? parent->rest : begin_in_frustum(s->tree, &a, &corners);
+            if (bounce == CLASSIFIED_BOUNCES || !MAY_SKIP(s->parameters, SKIP_WHOLE_TILE) ||
+                !find_covering_face(g, s->tree, &a, &corners, from, rays, w, &o->rest, counters))
                 return false;
             o->facing[bounce] = o->clear[bounce] = o->dark[bounce] = 0;
         }
@@ -162,7 +162,7 @@ NOINLINE bool look_out(const Geometry *g, const Shading *s, const Window *window
         from = w->face;
         if (from < 0)
             return true;
-        look_at_lights(g, s, &camera, &corners, bounce, rays, o, counters);
+        classify_lights(g, s, &camera, &corners, bounce, rays, o, counters);
         real reflection = s->materials[(size_t)face_material(g, from) * MATERIAL_REALS + MATERIAL_REFLECTION];
         if (reflection == 0 || bounce == s->parameters->max_bounces)
             return true;

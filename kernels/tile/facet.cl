@@ -10,7 +10,7 @@
 #include "tile/frustum.cl"
 #include "tile/classify.cl"
 
-#if WHOLE_TILES
+#if CLASSIFIES_TILES
 
 /* A light that counts on a facet. */
 typedef struct FacetLight {
@@ -31,11 +31,11 @@ typedef struct Facet {
     real reflection, exponent;
     uint asked, behind, ambient_only, dull; /* so many lights are asked for; are behind it; do not matter; make no highlight */
     int light_count;
-    FacetLight lights[OUTLOOK_LIGHTS];
+    FacetLight lights[CLASSIFIED_LIGHTS];
 } Facet;
 
 /* camera: its image after so many bounces. The lights are still to be added. */
-INLINE void facet_of(const Geometry *g, const Shading *s, const Whole *w, const Camera *camera, int bounces, Facet *f)
+INLINE void facet_of(const Geometry *g, const Shading *s, const CoveringFace *w, const Camera *camera, int bounces, Facet *f)
 {
     f->face = w->face;
     if (w->face < 0)
@@ -47,7 +47,7 @@ INLINE void facet_of(const Geometry *g, const Shading *s, const Whole *w, const 
         f->eye[axis] = (real)(view_value(s, VIEW_EYE + axis) - camera->eye[axis]);
     }
     f->sign = w->with_normal ? -1 : 1;
-    f->height = sketch_height(g, w->face, camera->eye);
+    f->height = approx_height(g, w->face, camera->eye);
     f->off = patch_off(g, w->face, camera);
     f->along_ray = s->parameters->viewer_ray || bounces == 0;
     f->material = s->materials + (size_t)face_material(g, w->face) * MATERIAL_REALS;
@@ -60,18 +60,18 @@ INLINE void facet_of(const Geometry *g, const Shading *s, const Whole *w, const 
 /* Is a light to be asked for shadows on a face that is turned to it, or not? */
 INLINE bool asks_light(const Shading *s, global const real *light, bool facing)
 {
-    return wants_light(s, light) && (facing || !SKIPS(s->parameters, SKIP_LIGHT_BEHIND));
+    return wants_light(s, light) && (facing || !MAY_SKIP(s->parameters, SKIP_LIGHT_BEHIND));
 }
 
-/* shade: how much of the facet lies in the light's shadow. blocked: where that is SHADE_SOME. */
-INLINE void facet_add_light(const Shading *s, global const real *light, bool facing, Shade shade, const Mask *blocked, Facet *f)
+/* shade: how much of the facet lies in the light's shadow. blocked: where that is PARTLY_SHADOWED. */
+INLINE void facet_add_light(const Shading *s, global const real *light, bool facing, ShadowClass shade, const Mask *blocked, Facet *f)
 {
-    f->behind += !facing && SKIPS(s->parameters, SKIP_LIGHT_BEHIND);
+    f->behind += !facing && MAY_SKIP(s->parameters, SKIP_LIGHT_BEHIND);
     f->ambient_only += facing && !wants_light(s, light);
     f->asked += asks_light(s, light, facing);
     if (!facing)
-        shade = SHADE_ALL;
-    if (shade == SHADE_ALL && !s->parameters->shadow_ambient)
+        shade = SHADOWED;
+    if (shade == SHADOWED && !s->parameters->shadow_ambient)
         return;
     FacetLight *l = f->lights + f->light_count++;
     wide position[3];
@@ -81,10 +81,10 @@ INLINE void facet_add_light(const Shading *s, global const real *light, bool fac
     l->ambient = coloured(f->material + MATERIAL_AMBIENT, light + LIGHT_AMBIENT);
     l->diffuse = coloured(f->material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE);
     l->specular = coloured(f->material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
-    l->reaches = shade != SHADE_ALL;
+    l->reaches = shade != SHADOWED;
     l->shines = makes_highlight(s, l->specular);
-    l->blocked = shade == SHADE_SOME ? blocked : 0;
-    f->dull += shade == SHADE_NONE && !l->shines;
+    l->blocked = shade == PARTLY_SHADOWED ? blocked : 0;
+    f->dull += shade == LIT && !l->shines;
 }
 
 /* Rays of a tile came to the facet. */
@@ -102,10 +102,10 @@ INLINE void count_facet(const Facet *f, uint rays, Counters *counters)
 INLINE Vec vec_of(const real *v) { return vec((Lanes)v[0], (Lanes)v[1], (Lanes)v[2]); }
 
 /* Where packet p's rays meet the facet. */
-INLINE Sketch sketch_facet(const Facet *f, const ScreenPlaces *places, int p, Vec *ahead)
+INLINE ApproxPoint approx_on_facet(const Facet *f, const ScreenPlaces *places, int p, Vec *ahead)
 {
     *ahead = vec_to_real(camera_direction(&f->camera, places, p));
-    return sketch(*ahead, (Lanes)f->height, (Lanes)f->off, vec_of(f->normal));
+    return approx_point(*ahead, (Lanes)f->height, (Lanes)f->off, vec_of(f->normal));
 }
 
 /* Adds the light that packet p's part of the facet sends, as `shade` has it, to `colour`, and the lanes that some light reaches to
@@ -113,17 +113,17 @@ INLINE Sketch sketch_facet(const Facet *f, const ScreenPlaces *places, int p, Ve
 INLINE bool shade_facet(const Shading *s, const Facet *f, const ScreenPlaces *places, int p, Mask active, Vec *colour, Mask *lit)
 {
     Vec ahead, l;
-    Sketch drawn = sketch_facet(f, places, p, &ahead);
-    Vec normal = vec_scale((Lanes)f->sign, vec_of(f->normal)), v = vec_scale(-1 / drawn.length, ahead);
+    ApproxPoint approx = approx_on_facet(f, places, p, &ahead);
+    Vec normal = vec_scale((Lanes)f->sign, vec_of(f->normal)), v = vec_scale(-1 / approx.length, ahead);
     Lanes per_length, share;
-    if (!f->along_ray && !sketch_towards(&drawn, vec_of(f->eye), active, &v, &per_length, &share))
+    if (!f->along_ray && !approx_towards(&approx, vec_of(f->eye), active, &v, &per_length, &share))
         return false;
     for (int i = 0; i < f->light_count; i++) {
         const FacetLight *light = f->lights + i;
         Vec ambient = vec((Lanes)light->ambient.x, (Lanes)light->ambient.y, (Lanes)light->ambient.z), sum = ambient;
         Mask reaches = light->blocked ? active & ~light->blocked[p] : active;
         if (light->reaches) {
-            if (!sketch_towards(&drawn, vec_of(light->at), active, &l, &per_length, &share))
+            if (!approx_towards(&approx, vec_of(light->at), active, &l, &per_length, &share))
                 return false;
             sum = vec_add(sum, scale_colour(diffuse_of(l, normal), light->diffuse));
             if (light->shines)

@@ -21,30 +21,30 @@ INLINE real least_of(real4 a)
 INLINE real most_of(real4 a) { return -least_of(-a); }
 
 /* The length of the longest; those between are no longer. Some may be outside of the picture, and longer than all in it. */
-INLINE real longest_of(const CornerRays *c)
+INLINE real longest_of(const Frustum *c)
 {
     real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
     return sqrt(most_of(x * x + y * y + z * z));
 }
 
 /* The bundle of all rays between the corners. spread: no component of an exact direction is farther from theirs. */
-INLINE Bundle bundle_of_corners(const Apex *a, const CornerRays *c, real spread)
+INLINE RayBounds bounds_of_frustum(const Apex *a, const Frustum *c, real spread)
 {
     real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
     real low[3] = {least_of(x) - spread, least_of(y) - spread, least_of(z) - spread};
     real high[3] = {most_of(x) + spread, most_of(y) + spread, most_of(z) + spread};
-    return bundle_within(a, low, high);
+    return bounds_within(a, low, high);
 }
 
-enum { WHOLE_BUDGET = 24 }; /* faces that are asked; where there are more, one hardly covers all */
+enum { COVERING_BUDGET = 24 }; /* faces that are asked; where there are more, one hardly covers all */
 
-typedef enum Cover { COVERS_NONE, COVERS_SOME, COVERS_ALL } Cover;
+typedef enum Coverage { COVERAGE_NONE, COVERAGE_PARTIAL, COVERAGE_FULL } Coverage;
 
 /* What the rays between the corners may meet of a face. `inside`: they pass inside its edges by more than that. */
-INLINE Cover cover(const ApexFace *f, const CornerRays *c, real error, real inside)
+INLINE Coverage classify_face(const FaceSetup *f, const Frustum *c, real error, real inside)
 {
     if (!(error < (real)1e30f))
-        return COVERS_SOME; /* nothing below overflows: there is no NaN */
+        return COVERAGE_PARTIAL; /* nothing below overflows: there is no NaN */
     real4 x = vload4(0, f->x), y = vload4(0, f->y), z = vload4(0, f->z);
     real4 low = fma((real4)c->x[0], x, fma((real4)c->y[0], y, c->z[0] * z)), high = low;
     for (int i = 1; i < 4; i++) {
@@ -52,41 +52,41 @@ INLINE Cover cover(const ApexFace *f, const CornerRays *c, real error, real insi
         low = LESSER(edge, low);
         high = GREATER(edge, high);
     }
-    return least_of(high) < -error ? COVERS_NONE : least_of(low) > inside ? COVERS_ALL : COVERS_SOME;
+    return least_of(high) < -error ? COVERAGE_NONE : least_of(low) > inside ? COVERAGE_FULL : COVERAGE_PARTIAL;
 }
 
 /* 1/t at the corners. */
-INLINE real4 corner_depths(const ApexFace *f, const CornerRays *c)
+INLINE real4 frustum_depths(const FaceSetup *f, const Frustum *c)
 {
     return fma(vload4(0, c->x), (real4)f->nx, fma(vload4(0, c->y), (real4)f->ny, vload4(0, c->z) * f->nz));
 }
 
 /* The face that all rays see. */
-typedef struct Whole {
+typedef struct CoveringFace {
     int face; /* -1: none */
     bool with_normal;
     real low, high; /* 1/t is between these */
-} Whole;
+} CoveringFace;
 
 /* Finds it among the rest. False: they may see several; the rest is then what has not been ruled out. from: the mirror that
  * the rays come from, -1: they come from the eye. */
-INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const CornerRays *c, int from, uint lanes, Whole *w,
-                       Rest *rest, Counters *counters)
+INLINE bool find_covering_face(const Geometry *g, const Tree *tree, const Apex *a, const Frustum *c, int from, uint lanes, CoveringFace *w,
+                       Traversal *rest, Counters *counters)
 {
     real4 begin_low = (real4)INFINITY, begin_high = begin_low;
-    ApexFace face;
+    FaceSetup face;
     if (from >= 0) {
-        if (see_face(a, face_row(g, from), true, false, &face) != SIGHT_CLEAR)
+        if (setup_face(a, face_row(g, from), true, false, &face) != VISIBLE)
             return false;
-        real4 begin = corner_depths(&face, c);
+        real4 begin = frustum_depths(&face, c);
         begin_low = begin - face.depth_error;
         begin_high = begin + face.depth_error;
     }
     w->face = -1;
     w->low = w->high = 0;
-    Bundle b = bundle_of_corners(a, c, 0);
+    RayBounds b = bounds_of_frustum(a, c, 0);
     if (from < 0)
-        bundle_leave_out_sides(&b, false);
+        bounds_cull_sides(&b, false);
     int known = rest->face;
     rest->face = -1;
     uint asked = 0, backs = 0;
@@ -97,101 +97,101 @@ INLINE bool find_whole(const Geometry *g, const Tree *tree, const Apex *a, const
         else if (!next_leaf(g, tree, &b, lanes, &rest->stack, &first, &count, counters))
             break;
         uint backs_here = 0;
-        stopped = asked + (uint)count > WHOLE_BUDGET;
+        stopped = asked + (uint)count > COVERING_BUDGET;
         for (int k = 0; k < count && !stopped; k++) {
             int i = known >= 0 ? known : face_in_leaf(tree, first + k);
             if (i == from || i == w->face)
                 continue;
             asked++;
-            Sight sight = see_face(a, face_row(g, i), false, from < 0, &face);
-            if (sight == SIGHT_NONE) {
+            Visibility visibility = setup_face(a, face_row(g, i), false, from < 0, &face);
+            if (visibility == CULLED) {
                 backs_here += face.closed;
                 continue;
             }
-            if (sight == SIGHT_DOUBTFUL) {
+            if (visibility == UNCERTAIN) {
                 stopped = true;
                 continue;
             }
-            Cover covers = cover(&face, c, face.edge_error, (face.closed ? 4 : 1) * face.edge_error);
-            if (covers == COVERS_NONE)
+            Coverage covers = classify_face(&face, c, face.edge_error, (face.closed ? 4 : 1) * face.edge_error);
+            if (covers == COVERAGE_NONE)
                 continue;
-            real4 depths = corner_depths(&face, c), nearer = depths - face.depth_error, farther = depths + face.depth_error;
+            real4 depths = frustum_depths(&face, c), nearer = depths - face.depth_error, farther = depths + face.depth_error;
             if (least_of(nearer - begin_high) > 0)
                 continue; /* before the mirror */
             real low = least_of(nearer), high = most_of(farther);
             if (high < w->low)
                 continue;
-            stopped = covers != COVERS_ALL || !(low > w->high) || !(least_of(begin_low - farther) > 0);
+            stopped = covers != COVERAGE_FULL || !(low > w->high) || !(least_of(begin_low - farther) > 0);
             if (stopped)
                 continue;
             w->face = rest->face = i;
             w->with_normal = face.with_normal;
             w->low = low;
             w->high = high;
-            bundle_shorten(&b, 1 / low);
+            bounds_shorten(&b, 1 / low);
         }
         if (!stopped)
             backs += backs_here;
         else if (known >= 0)
             rest->face = known;
         else
-            put_back(&rest->stack);
+            push_back(&rest->stack);
     }
     counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
     counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes * backs;
     return !stopped;
 }
 
-typedef enum Shade { SHADE_NONE, SHADE_SOME, SHADE_ALL } Shade;
+typedef enum ShadowClass { LIT, PARTLY_SHADOWED, SHADOWED } ShadowClass;
 
 /* How much of the part of a face between the corners lies in the shadow of a light, the apex. c: from the light to the
- * corners; no ray ends farther than `spread` from where it says. SHADE_SOME: what may block them is left on the stack. */
-INLINE Shade find_shade(const Geometry *g, const Tree *tree, const Apex *light, const CornerRays *c, real spread, int from,
-                        bool outside, uint lanes, Stack *stack, Counters *counters)
+ * corners; no ray ends farther than `spread` from where it says. PARTLY_SHADOWED: what may block them is left on the stack. */
+INLINE ShadowClass classify_shadow(const Geometry *g, const Tree *tree, const Apex *light, const Frustum *c, real spread, int from,
+                        bool cull_boxes, uint lanes, Stack *stack, Counters *counters)
 {
-    Bundle b = bundle_of_corners(light, c, spread);
-    bundle_shorten(&b, 1 + 4 * REAL_ROUNDING);
-    if (outside)
-        bundle_leave_out_sides(&b, true);
+    RayBounds b = bounds_of_frustum(light, c, spread);
+    bounds_shorten(&b, 1 + 4 * REAL_ROUNDING);
+    if (cull_boxes)
+        bounds_cull_sides(&b, true);
     *stack = stack_of(tree, &b);
     real doubt = DOUBT_OF(spread / light->length);
     uint asked = 0, backs = 0;
-    Shade shade = SHADE_NONE;
-    for (int first, count; shade == SHADE_NONE && next_leaf(g, tree, &b, lanes, stack, &first, &count, counters);) {
+    ShadowClass shade = LIT;
+    for (int first, count; shade == LIT && next_leaf(g, tree, &b, lanes, stack, &first, &count, counters);) {
         uint backs_here = 0;
-        if (asked + (uint)count > WHOLE_BUDGET)
-            shade = SHADE_SOME;
-        for (int k = first; k < first + count && shade == SHADE_NONE; k++) {
+        if (asked + (uint)count > COVERING_BUDGET)
+            shade = PARTLY_SHADOWED;
+        for (int k = first; k < first + count && shade == LIT; k++) {
             int i = face_in_leaf(tree, k);
             if (i == from)
                 continue;
             asked++;
-            ApexFace face;
-            Sight sight = see_face(light, face_row(g, i), true, outside, &face);
-            if (sight == SIGHT_NONE) {
+            FaceSetup face;
+            Visibility visibility = setup_face(light, face_row(g, i), true, cull_boxes, &face);
+            if (visibility == CULLED) {
                 backs_here += face.closed;
                 continue;
             }
-            if (sight == SIGHT_DOUBTFUL) {
-                shade = SHADE_SOME;
+            if (visibility == UNCERTAIN) {
+                shade = PARTLY_SHADOWED;
                 continue;
             }
-            Cover covers = cover(&face, c, doubt * face.edge_error, doubt * face.edge_error);
-            if (covers == COVERS_NONE)
+            Coverage covers = classify_face(&face, c, doubt * face.edge_error, doubt * face.edge_error);
+            if (covers == COVERAGE_NONE)
                 continue;
-            real4 depths = corner_depths(&face, c);
+            real4 depths = frustum_depths(&face, c);
             real error = doubt * face.depth_error;
             if (most_of(depths) + error < 1)
                 continue; /* beyond the points */
-            bool all = covers == COVERS_ALL && least_of(depths) - error > 1;
-            shade = all ? SHADE_ALL : SHADE_SOME;
+            bool all = covers == COVERAGE_FULL && least_of(depths) - error > 1;
+            shade = all ? SHADOWED : PARTLY_SHADOWED;
         }
-        if (shade == SHADE_SOME)
-            put_back(stack);
+        if (shade == PARTLY_SHADOWED)
+            push_back(stack);
         else
             backs += backs_here;
     }
-    if (shade == SHADE_SOME)
+    if (shade == PARTLY_SHADOWED)
         forget_distances(stack); /* those were shares of the rays' lengths */
     counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
     counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes * backs;

@@ -47,7 +47,7 @@ INLINE void render_background(const Shading *s, const Area *area, uint rays, glo
 }
 
 /* The tile that begins there; rgb: band_rows * columns * 3 bytes. */
-INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Outlook *outlook,
+INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Classification *classification,
                         int first_column, int first_row, global uchar *rgb, Counters *counters)
 {
     constant const Parameters *p = s->parameters;
@@ -61,9 +61,9 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
         for (int i = 0; i < p->grid; i++) {
             ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
             Window window = window_of_tile(p, &places, first_column, first_row);
-            CornerRays corners = camera_corners(camera, &window);
-            if (SKIPS(p, SKIP_EMPTY_TILE) && !is_told(outlook)) {
-                Bundle seen = bundle_of_corners(apex, &corners, 0);
+            Frustum corners = camera_frustum(camera, &window);
+            if (MAY_SKIP(p, SKIP_EMPTY_TILE) && !has_first_hit(classification)) {
+                RayBounds seen = bounds_of_frustum(apex, &corners, 0);
                 if (misses_all(s->tree, &seen)) {
                     see_background(s, inside, sum, counters);
                     continue;
@@ -76,10 +76,10 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
                 counters->kinds[COUNT_PRIMARY] += mask_count(inside[k]);
             }
             int bounces = 0;
-#if WHOLE_TILES
-            Rest rest;
-            bool done = trace_whole(g, s, &places, &window, outlook, paths, rays, &bounces, &rest, counters);
-            const Rest *left = &rest;
+#if CLASSIFIES_TILES
+            Traversal rest;
+            bool done = trace_uniform_tile(g, s, &places, &window, classification, paths, rays, &bounces, &rest, counters);
+            const Traversal *left = &rest;
 #else
             EACH_PACKET(k) {
                 rays[k].origin = wide_vec((Wide)camera->eye[0], (Wide)camera->eye[1], (Wide)camera->eye[2]);
@@ -87,10 +87,10 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
             }
             begin_paths(paths, rays);
             bool done = false;
-            const Rest *left = 0;
+            const Traversal *left = 0;
 #endif
             if (!done) {
-                Bundle seen = bundle_of_corners(apex, &corners, 0);
+                RayBounds seen = bounds_of_frustum(apex, &corners, 0);
                 trace_paths(g, s, camera->eye, apex, &seen, bounces, paths, rays, left, 0, counters);
             }
             EACH_PACKET(k)
@@ -100,19 +100,19 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
 }
 
 /* What the corners of an area tell of what it sees: not all of it, all of it, or that it is nothing. */
-typedef enum Tidings { TELLS_SOME, TELLS_ALL, TELLS_EMPTY } Tidings;
+typedef enum TileClass { TILE_MIXED, TILE_UNIFORM, TILE_EMPTY } TileClass;
 
-/* parent: as look_out. outlook: filled but where it is empty, told: where all is told. */
-INLINE Tidings ask_corners(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Area *area,
-                           uint rays, const Outlook *parent, Outlook *outlook, Told *told, Counters *counters)
+/* parent: as classify_window. outlook: filled but where it is empty, told: where all is told. */
+INLINE TileClass classify_area(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Area *area,
+                           uint rays, const Classification *parent, Classification *classification, UniformBlock *told, Counters *counters)
 {
     Window window = window_of_area(s, area);
-    CornerRays corners = camera_corners(camera, &window);
-    Bundle seen = bundle_of_corners(apex, &corners, 0);
-    bool may_be_empty = SKIPS(s->parameters, SKIP_EMPTY_TILE) && !(parent && is_told(parent));
+    Frustum corners = camera_frustum(camera, &window);
+    RayBounds seen = bounds_of_frustum(apex, &corners, 0);
+    bool may_be_empty = MAY_SKIP(s->parameters, SKIP_EMPTY_TILE) && !(parent && has_first_hit(parent));
     if (may_be_empty && misses_all(s->tree, &seen))
-        return TELLS_EMPTY;
-    return look_out(g, s, &window, rays, parent, outlook, counters) && tell(g, s, outlook, told) ? TELLS_ALL : TELLS_SOME;
+        return TILE_EMPTY;
+    return classify_window(g, s, &window, rays, parent, classification, counters) && make_uniform_block(g, s, classification, told) ? TILE_UNIFORM : TILE_MIXED;
 }
 
 /* Renders a block of tiles: at once if its corners tell all, or else quarter by quarter, and a quarter whose corners do not tell
@@ -121,27 +121,27 @@ INLINE void render_block(const Geometry *g, const Shading *s, const Apex *apex, 
                          Counters *counters)
 {
     constant const Parameters *p = s->parameters;
-    Outlook outlooks[2]; /* the block's, its quarter's */
-    Told told;
+    Classification classifications[2]; /* the block's, its quarter's */
+    UniformBlock told;
     for (int k = 0; k < BLOCK_AREAS; k++) {
         Area area = area_of_block(p, block, k);
         if (area.columns <= 0 || area.rows <= 0)
             continue;
         uint rays = (uint)(area.columns * area.rows) * (uint)(p->grid * p->grid);
-        Outlook *outlook = outlooks + (k > 0);
-        Tidings tidings = TELLS_SOME;
+        Classification *classification = classifications + (k > 0);
+        TileClass tile_class = TILE_MIXED;
         if (BLOCK_AREAS > 1) {
-            tidings = ask_corners(g, s, apex, camera, &area, rays, k > 0 ? outlooks : 0, outlook, &told, counters);
-            if (k == 0 && tidings == TELLS_SOME)
+            tile_class = classify_area(g, s, apex, camera, &area, rays, k > 0 ? classifications : 0, classification, &told, counters);
+            if (k == 0 && tile_class == TILE_MIXED)
                 continue;
         }
-        if (tidings == TELLS_EMPTY)
+        if (tile_class == TILE_EMPTY)
             render_background(s, &area, rays, rgb, counters);
         else
             for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
                 for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
-                    if (tidings != TELLS_ALL || !render_told(s, &told, column, row, rgb, counters))
-                        render_tile(g, s, apex, camera, outlook, column, row, rgb, counters);
+                    if (tile_class != TILE_UNIFORM || !render_uniform_tile(s, &told, column, row, rgb, counters))
+                        render_tile(g, s, apex, camera, classification, column, row, rgb, counters);
         if (k == 0)
             return;
     }

@@ -12,12 +12,12 @@
 #include "tile/classify.cl"
 #include "tile/facet.cl"
 
-#if !WHOLE_TILES
+#if !CLASSIFIES_TILES
 
-typedef int Told;
+typedef int UniformBlock;
 
-INLINE bool tell(const Geometry *g, const Shading *s, const Outlook *o, Told *told) { return false; }
-INLINE bool render_told(const Shading *s, const Told *told, int column, int row, global uchar *rgb, Counters *counters)
+INLINE bool make_uniform_block(const Geometry *g, const Shading *s, const Classification *o, UniformBlock *told) { return false; }
+INLINE bool render_uniform_tile(const Shading *s, const UniformBlock *told, int column, int row, global uchar *rgb, Counters *counters)
 {
     return false;
 }
@@ -25,13 +25,13 @@ INLINE bool render_told(const Shading *s, const Told *told, int column, int row,
 #else
 
 /* What a block sees, bounce by bounce. */
-typedef struct Told {
-    Facet facets[OUTLOOK_BOUNCES];
+typedef struct UniformBlock {
+    Facet facets[CLASSIFIED_BOUNCES];
     int count;
-} Told;
+} UniformBlock;
 
 /* False: not all is told. */
-NOINLINE bool tell(const Geometry *g, const Shading *s, const Outlook *o, Told *told)
+NOINLINE bool make_uniform_block(const Geometry *g, const Shading *s, const Classification *o, UniformBlock *told)
 {
     constant const Parameters *parameters = s->parameters;
     Camera camera = camera_of(s);
@@ -41,7 +41,7 @@ NOINLINE bool tell(const Geometry *g, const Shading *s, const Outlook *o, Told *
         facet_of(g, s, o->faces + bounce, &camera, bounce, f);
         if (f->face < 0)
             return true;
-        if (parameters->light_count > OUTLOOK_LIGHTS)
+        if (parameters->light_count > CLASSIFIED_LIGHTS)
             return false;
         bool lit = parameters->shadow_ambient;
         for (int i = 0; i < parameters->light_count; i++) {
@@ -49,7 +49,7 @@ NOINLINE bool tell(const Geometry *g, const Shading *s, const Outlook *o, Told *
             bool facing = o->facing[bounce] >> i & 1, clear = o->clear[bounce] >> i & 1, dark = o->dark[bounce] >> i & 1;
             if (asks_light(s, light, facing) && !clear && !dark)
                 return false;
-            facet_add_light(s, light, facing, clear ? SHADE_NONE : SHADE_ALL, 0, f);
+            facet_add_light(s, light, facing, clear ? LIT : SHADOWED, 0, f);
             lit |= clear;
         }
         if (f->reflection == 0 || bounce == parameters->max_bounces || !lit)
@@ -60,13 +60,13 @@ NOINLINE bool tell(const Geometry *g, const Shading *s, const Outlook *o, Told *
 }
 
 /* What a tile has counted: rays bounce by bounce, and those that ended because what was to come is too weak. */
-typedef struct ToldCounts {
-    uint rays[OUTLOOK_BOUNCES], weak;
-} ToldCounts;
+typedef struct UniformCounts {
+    uint rays[CLASSIFIED_BOUNCES], weak;
+} UniformCounts;
 
 /* Follows a packet's rays. False: a sketch is too rough. */
-INLINE bool trace_told(const Shading *s, const Told *told, const ScreenPlaces *places, int p, Mask active, Vec *total,
-                       ToldCounts *counts)
+INLINE bool shade_uniform_packet(const Shading *s, const UniformBlock *told, const ScreenPlaces *places, int p, Mask active, Vec *total,
+                       UniformCounts *counts)
 {
     real weight = 1;
     *total = vec(0, 0, 0);
@@ -90,14 +90,14 @@ INLINE bool trace_told(const Shading *s, const Told *told, const ScreenPlaces *p
 }
 
 /* Renders a tile of such a block; rgb: as render_tile. False: a sketch is too rough, and nothing is done. */
-NOINLINE bool render_told(const Shading *s, const Told *told, int first_column, int first_row, global uchar *rgb,
+NOINLINE bool render_uniform_tile(const Shading *s, const UniformBlock *told, int first_column, int first_row, global uchar *rgb,
                           Counters *counters)
 {
     constant const Parameters *p = s->parameters;
     Vec sum[PACKETS];
     EACH_PACKET(k)
         sum[k] = vec(0, 0, 0);
-    ToldCounts counts = {{0}, 0};
+    UniformCounts counts = {{0}, 0};
     for (int j = 0; j < p->grid; j++)
         for (int i = 0; i < p->grid; i++) {
             ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
@@ -106,7 +106,7 @@ NOINLINE bool render_told(const Shading *s, const Told *told, int first_column, 
                 Vec total;
                 if (!ANY(inside))
                     continue;
-                if (!trace_told(s, told, &places, k, inside, &total, &counts))
+                if (!shade_uniform_packet(s, told, &places, k, inside, &total, &counts))
                     return false;
                 sum[k] = vec_add(sum[k], total);
             }

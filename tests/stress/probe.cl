@@ -45,11 +45,11 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     Tree tree = {0, 0};
     Geometry g = {faces, edges, planes, parameters->face_count};
     wide target[3] = {segments[6 * i + 3], segments[6 * i + 4], segments[6 * i + 5]};
-    Pencil pencils[PACKETS];
-    Points points;
+    OriginPacket pencils[PACKETS];
+    LazyPoints points;
     Nearest nearest[PACKETS]; /* not asked for: the points are told */
     Mask asking[PACKETS], found[PACKETS];
-    points_of(&points, &g, 0, nearest, asking, false);
+    begin_points(&points, &g, 0, nearest, asking, false);
     EACH_PACKET(p) {
         points.told[p] = (Mask)-1;
         points.shifted[p] = probe_vec(segments, i);
@@ -90,9 +90,9 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     nearest.face = hit.face;
     nearest.with_normal = hit.with_normal;
     Mask active = (Mask)-1;
-    Points told;
-    points_of(&told, &g, &ray, &nearest, &active, true);
-    tell_points(&told, 0, active);
+    LazyPoints told;
+    begin_points(&told, &g, &ray, &nearest, &active, true);
+    need_points(&told, 0, active);
     WideVec point = told.point[0], shifted = told.shifted[0];
     Wide numbers[6] = {point.x, point.y, point.z, shifted.x, shifted.y, shifted.z};
     for (int k = 0; k < 6; k++) {
@@ -125,12 +125,12 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
     for (int k = 3; k < 6; k++)
         length += (real)fabs(rays[6 * i + k]);
     Apex apex = apex_at(eye, 0, length * (1 + 4 * REAL_ROUNDING));
-    Pencil pencils[PACKETS];
+    OriginPacket pencils[PACKETS];
     EACH_PACKET(p) {
         pencils[p].active = paths[p].active;
         pencils[p].ahead = vec_to_real(rays_of[p].direction);
     }
-    Bundle seen = bundle_from(&apex, pencils, PACKETS, 0);
+    RayBounds seen = bounds_from(&apex, pencils, PACKETS, 0);
     begin_paths(paths, rays_of);
     trace_paths(&g, &s, eye, &apex, &seen, 0, paths, rays_of, 0, 0, &counters);
     Vec colour = paths[0].total;

@@ -14,11 +14,11 @@ typedef struct Slab {
     int sign;                       /* of all directions; 0: they differ */
 } Slab;
 
-typedef struct Bundle {
+typedef struct RayBounds {
     Slab slabs[3];
     real reach; /* no ray of the bundle goes farther than this */
     int left_out[3]; /* for each axis: the SIDE_KEY of the sides of closed boxes that need not be asked */
-} Bundle;
+} RayBounds;
 
 #define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING)) /* more than the rounding of what follows could take away */
 
@@ -39,38 +39,38 @@ INLINE Slab slab(real origin_low, real origin_high, real low, real high)
     return s;
 }
 
-INLINE void bundle_ask_all_sides(Bundle *b)
+INLINE void bounds_keep_sides(RayBounds *b)
 {
     for (int axis = 0; axis < 3; axis++)
         b->left_out[axis] = NO_SIDE_KEY;
 }
 
 /* Leaves out the sides of closed boxes that all rays, outside of them, meet after another side: what is a back to all of them.
- * `towards`, as see_face: the rays travel against the bundle, and of what they meet the first side is left out, not the last.
+ * `towards`, as setup_face: the rays travel against the bundle, and of what they meet the first side is left out, not the last.
  * The signs of the bundle's directions are those of the rays themselves, to the last digit. */
-INLINE void bundle_leave_out_sides(Bundle *b, bool towards)
+INLINE void bounds_cull_sides(RayBounds *b, bool reversed)
 {
     for (int axis = 0; axis < 3; axis++) {
         int sign = b->slabs[axis].sign;
         if (sign != 0)
-            b->left_out[axis] = SIDE_KEY(2 * axis + ((sign > 0) != towards));
+            b->left_out[axis] = SIDE_KEY(2 * axis + ((sign > 0) != reversed));
     }
 }
 
 /* Rays from an apex whose directions are between two, axis by axis. */
-INLINE Bundle bundle_within(const Apex *a, const real *low, const real *high)
+INLINE RayBounds bounds_within(const Apex *a, const real *low, const real *high)
 {
     real at[3] = {a->x, a->y, a->z};
-    Bundle b;
+    RayBounds b;
     for (int axis = 0; axis < 3; axis++)
         b.slabs[axis] = slab(at[axis] - a->spread, at[axis] + a->spread, low[axis], high[axis]);
     b.reach = REACH_ALL;
-    bundle_ask_all_sides(&b);
+    bounds_keep_sides(&b);
     return b;
 }
 
 /* Rays from an apex. spread: no component of an exact direction is farther from the pencils'. */
-INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets, real spread)
+INLINE RayBounds bounds_from(const Apex *a, const OriginPacket *pencils, int packets, real spread)
 {
     Lanes all = (Lanes)REACH_ALL, low[3] = {all, all, all}, high[3] = {-all, -all, -all};
     EACH_OF(p, packets) {
@@ -87,22 +87,22 @@ INLINE Bundle bundle_from(const Apex *a, const Pencil *pencils, int packets, rea
         lowest_of[axis] = lanes_lowest(low[axis]) - spread;
         highest_of[axis] = -lanes_lowest(-high[axis]) + spread;
     }
-    return bundle_within(a, lowest_of, highest_of);
+    return bounds_within(a, lowest_of, highest_of);
 }
 
 /* Any rays of one packet. */
-INLINE Bundle bundle_of(const Line *l, Mask active)
+INLINE RayBounds bounds_of(const RealRay *l, Mask active)
 {
-    Bundle b;
+    RayBounds b;
     b.slabs[0] = slab(lowest(l->origin.x, active), highest(l->origin.x, active), lowest(l->scaled.x, active), highest(l->scaled.x, active));
     b.slabs[1] = slab(lowest(l->origin.y, active), highest(l->origin.y, active), lowest(l->scaled.y, active), highest(l->scaled.y, active));
     b.slabs[2] = slab(lowest(l->origin.z, active), highest(l->origin.z, active), lowest(l->scaled.z, active), highest(l->scaled.z, active));
     b.reach = REACH_ALL;
-    bundle_ask_all_sides(&b);
+    bounds_keep_sides(&b);
     return b;
 }
 
-INLINE void bundle_shorten(Bundle *b, real reach) { b->reach = reach < REACH_ALL ? GROWN(reach) : REACH_ALL; }
+INLINE void bounds_shorten(RayBounds *b, real reach) { b->reach = reach < REACH_ALL ? GROWN(reach) : REACH_ALL; }
 
 /* Narrows [enter, leave] to where the bundle may be between the two planes. 0 * infinity, which is NaN, narrows nothing. */
 INLINE void cross_slab(Slab s, Lanes low, Lanes high, Lanes *enter, Lanes *leave)
