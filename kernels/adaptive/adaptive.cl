@@ -3,7 +3,7 @@
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/search.cl"
 #include "packet/power.cl"
 #include "packet/shade.cl"
@@ -18,13 +18,11 @@
 
 /* What the lanes of a group have in common at one of their hits. */
 typedef struct Judge {
-    const Geometry *g;
-    const Shading *s;
+    const World *world;
     Beam beam;
     real weight;
     int face;
     BeamPlane plane;
-    Counters *counters;
 } Judge;
 
 INLINE int trail_face(const Trail *trail, int hit, int lane)
@@ -107,27 +105,27 @@ static void judge_hit(Judge *j, int from, Mask *group)
     q.near.error = q.far.error = 0;
     q.near.q = q.far.q = point(0, 0, 0);
     if (from >= 0)
-        q.near = beam_plane(j->g, q.beam, from);
+        q.near = beam_plane(j->world, q.beam, from);
     if (q.to >= 0)
-        q.far = beam_plane(j->g, q.beam, q.to);
+        q.far = beam_plane(j->world, q.beam, q.to);
     j->plane = q.far;
     q.shadow = false;
     BeamFace face;
     if (q.to >= 0)
-        beam_edges(j->g, q.beam, q.to, q.far.side, &face);
+        beam_edges(j->world, q.beam, q.to, q.far.side, &face);
     Linear beyond;
     bool asks_beyond = q.to >= 0 && from >= 0, is_beyond = asks_beyond && farther_plane(q.beam, &q.near, &q.far, &beyond);
     EACH_PACKET(k) {
         q.active[k] = asks_beyond && !is_beyond ? (Mask)0 : group[k];
         q.crossed[k] = q.filled[k] = (Mask)0;
         if (q.to >= 0)
-            q.active[k] &= beam_cover(j->g, q.beam, k, &face, (Mask)0).filled;
+            q.active[k] &= beam_cover(j->world, q.beam, k, &face, (Mask)0).filled;
         if (is_beyond)
             q.active[k] &= is_negative(q.beam->lanes + k, &beyond);
     }
     count_asking(&q);
     if (q.asking)
-        traverse_beam(j->g, j->s, &q, j->counters);
+        traverse_beam(j->world, &q);
     EACH_PACKET(k)
         group[k] = q.active[k];
 }
@@ -135,11 +133,11 @@ static void judge_hit(Judge *j, int from, Mask *group)
 /* Leaves in the group those lanes that the light reaches evenly or not at all. */
 static void judge_light(const Judge *j, int index, Mask *group)
 {
-    constant const Parameters *p = j->s->parameters;
-    global const real *light = j->s->lights + index * LIGHT_REALS;
-    global const real *material = j->s->materials + (size_t)face_material(j->g, j->face) * MATERIAL_REALS;
+    constant const Parameters *p = j->world->parameters;
+    global const real *light = j->world->lights + index * LIGHT_REALS;
+    global const real *material = j->world->materials + (size_t)face_material(j->world, j->face) * MATERIAL_REALS;
     wide at[3] = {(wide)light[0] + (wide)light[3], (wide)light[1] + (wide)light[4], (wide)light[2] + (wide)light[5]};
-    wide distance = plane_distance_of_point(j->g, j->face, at);
+    wide distance = plane_distance_of_point(j->world, j->face, at);
     if ((distance > 0 ? j->plane.side : distance < 0 ? -j->plane.side : 0) <= 0)
         return;
     real diffuse = largest_of(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE);
@@ -152,18 +150,18 @@ static void judge_light(const Judge *j, int index, Mask *group)
 
     Beam to_light, to_eye;
     BeamQuery q;
-    beam_from_point(j->g, &j->beam, j->face, point(at[0], at[1], at[2]), &to_light);
+    beam_from_point(j->world, &j->beam, j->face, point(at[0], at[1], at[2]), &to_light);
     q.beam = &to_light;
     q.from = -1;
     q.to = j->face;
-    q.far = beam_plane(j->g, q.beam, j->face);
+    q.far = beam_plane(j->world, q.beam, j->face);
     q.shadow = true;
     EACH_PACKET(k) {
         q.active[k] = group[k];
         q.crossed[k] = q.filled[k] = (Mask)0;
     }
     count_asking(&q);
-    traverse_beam(j->g, j->s, &q, j->counters);
+    traverse_beam(j->world, &q);
     Mask reached[PACKETS];
     EACH_PACKET(k) {
         reached[k] = group[k] & ~q.crossed[k];
@@ -172,9 +170,9 @@ static void judge_light(const Judge *j, int index, Mask *group)
     if (!any_packet(reached))
         return;
     if (!p->viewer_ray)
-        beam_from_point(j->g, &j->beam, j->face,
-                        point(view_value(j->s, VIEW_EYE), view_value(j->s, VIEW_EYE + 1), view_value(j->s, VIEW_EYE + 2)), &to_eye);
-    Vec normal = vec_point(point_scale(j->plane.side, face_normal(j->g, j->face)));
+        beam_from_point(j->world, &j->beam, j->face,
+                        point(view_value(j->world, VIEW_EYE), view_value(j->world, VIEW_EYE + 1), view_value(j->world, VIEW_EYE + 2)), &to_eye);
+    Vec normal = vec_point(point_scale(j->plane.side, face_normal(j->world, j->face)));
     EACH_PACKET(k) {
         if (!ANY(reached[k]))
             continue;
@@ -187,8 +185,8 @@ static void judge_light(const Judge *j, int index, Mask *group)
 /* Leaves in the group, whose centres took the path of a lane, those lanes for which the centre will do. */
 static void judge_group(Judge *j, const Trail *trail, int lane, Mask *group)
 {
-    constant const Parameters *p = j->s->parameters;
-    real brightest = (real)view_value(j->s, VIEW_BRIGHTEST);
+    constant const Parameters *p = j->world->parameters;
+    real brightest = (real)view_value(j->world, VIEW_BRIGHTEST);
     int from = -1;
     for (int hit = 0; hit < trail->count && any_packet(group) && j->weight * brightest >= TOLERANCE; hit++) {
         j->face = trail_face(trail, hit, lane);
@@ -199,8 +197,8 @@ static void judge_group(Judge *j, const Trail *trail, int lane, Mask *group)
             break;
         for (int i = 0; i < p->light_count && any_packet(group); i++)
             judge_light(j, i, group);
-        j->weight *= j->s->materials[(size_t)face_material(j->g, j->face) * MATERIAL_REALS + MATERIAL_REFLECTION];
-        beam_mirror(j->g, &j->beam, j->face);
+        j->weight *= j->world->materials[(size_t)face_material(j->world, j->face) * MATERIAL_REALS + MATERIAL_REFLECTION];
+        beam_mirror(j->world, &j->beam, j->face);
         from = j->face;
     }
 }
@@ -227,16 +225,16 @@ typedef struct Tile {
 } Tile;
 
 /* The beams of a group's pixels, told from that of a lane of a packet. */
-static void beam_of_pixels(const Shading *s, const Tile *tile, int packet, int lane, const Mask *group, Beam *b)
+static void beam_of_pixels(const World *world, const Tile *tile, int packet, int lane, const Mask *group, Beam *b)
 {
-    constant const Parameters *p = s->parameters;
+    constant const Parameters *p = world->parameters;
     WideVec c = tile->directions[packet];
     b->c0 = point(wide_at(c.x, lane), wide_at(c.y, lane), wide_at(c.z, lane));
-    b->apex = point(view_value(s, VIEW_EYE), view_value(s, VIEW_EYE + 1), view_value(s, VIEW_EYE + 2));
-    b->u = point_scale(view_value(s, VIEW_WIDTH) / p->columns / 2,
-                       point(view_value(s, VIEW_RIGHT), view_value(s, VIEW_RIGHT + 1), view_value(s, VIEW_RIGHT + 2)));
-    b->v = point_scale(view_value(s, VIEW_HEIGHT) / p->rows / 2,
-                       point(view_value(s, VIEW_UP), view_value(s, VIEW_UP + 1), view_value(s, VIEW_UP + 2)));
+    b->apex = point(view_value(world, VIEW_EYE), view_value(world, VIEW_EYE + 1), view_value(world, VIEW_EYE + 2));
+    b->u = point_scale(view_value(world, VIEW_WIDTH) / p->columns / 2,
+                       point(view_value(world, VIEW_RIGHT), view_value(world, VIEW_RIGHT + 1), view_value(world, VIEW_RIGHT + 2)));
+    b->v = point_scale(view_value(world, VIEW_HEIGHT) / p->rows / 2,
+                       point(view_value(world, VIEW_UP), view_value(world, VIEW_UP + 1), view_value(world, VIEW_UP + 2)));
     b->size = point_magnitudes(b->apex);
     b->mirrored = false;
     /* From one pixel's middle to the next it is 2 u, or -2 v. */
@@ -263,8 +261,7 @@ static void beam_of_pixels(const Shading *s, const Tile *tile, int packet, int l
 }
 
 /* Leaves in `active` the lanes for whose pixels the centre will do. */
-static void judge_pixels(const Geometry *g, const Shading *s, const Trail *trails, const Tile *tile, Mask *active,
-                         Counters *counters)
+static void judge_pixels(const World *world, const Trail *trails, const Tile *tile, Mask *active)
 {
     Mask rest[PACKETS];
     EACH_PACKET(k) {
@@ -280,11 +277,9 @@ static void judge_pixels(const Geometry *g, const Shading *s, const Trail *trail
                 rest[k] &= ~group[k];
             }
             Judge j;
-            j.g = g;
-            j.s = s;
-            j.counters = counters;
+            j.world = world;
             j.weight = 1;
-            beam_of_pixels(s, tile, first, lane, group, &j.beam);
+            beam_of_pixels(world, tile, first, lane, group, &j.beam);
             judge_group(&j, trails + first, lane, group);
             EACH_PACKET(k)
                 active[k] |= group[k];

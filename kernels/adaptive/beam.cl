@@ -1,6 +1,7 @@
 /* Beams against faces, for adaptive sampling: all rays of a pixel at once, each lane of each packet another pixel. What
  * src/beam.c and src/beam_query.c say, with the same operations in the same order. The pixels of a group see the same faces in
  * the same order, so that their beams share all but the middle direction c, and nearly all that is asked of a face is scalar. */
+#include "packet/world.cl"
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
@@ -46,21 +47,21 @@ INLINE Point point_cross(Point a, Point b)
     return point(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
-INLINE Point face_point(const Geometry *g, int face, int k)
+INLINE Point face_point(const World *world, int face, int k)
 {
-    global const real *v = face_row(g, face) + k;
+    global const real *v = face_row(world, face) + k;
     return point((wide)v[0], (wide)v[4], (wide)v[8]);
 }
 
-INLINE Point face_normal(const Geometry *g, int face)
+INLINE Point face_normal(const World *world, int face)
 {
-    PlaneRow plane = plane_row(g, face);
+    PlaneRow plane = plane_row(world, face);
     return point(plane.x, plane.y, plane.z);
 }
 
-INLINE int face_vertex_count(const Geometry *g, int face)
+INLINE int face_vertex_count(const World *world, int face)
 {
-    return face_bits(face_row(g, face)) & FACE_TRIANGLE ? 3 : 4;
+    return face_bits(face_row(world, face)) & FACE_TRIANGLE ? 3 : 4;
 }
 
 /* --- Making beams --- */
@@ -99,9 +100,9 @@ INLINE void beam_bounds(Beam *b)
 
 INLINE Point point_mirrored(Point d, Point n) { return point_sub(d, point_scale(2 * point_dot(d, n), n)); }
 
-static void beam_mirror(const Geometry *g, Beam *beam, int face)
+static void beam_mirror(const World *world, Beam *beam, int face)
 {
-    Point n = face_normal(g, face), corner = face_point(g, face, 0);
+    Point n = face_normal(world, face), corner = face_point(world, face, 0);
     wide height = point_dot(n, point_sub(beam->apex, corner));
     beam->apex = point_sub(beam->apex, point_scale(2 * height, n));
     beam->u = point_mirrored(beam->u, n);
@@ -117,10 +118,10 @@ static void beam_mirror(const Geometry *g, Beam *beam, int face)
     beam_bounds(beam);
 }
 
-NOINLINE void beam_from_point(const Geometry *g, const Beam *beam, int face, Point x, Beam *b)
+NOINLINE void beam_from_point(const World *world, const Beam *beam, int face, Point x, Beam *b)
 {
-    Point to_vertex = point_sub(beam->apex, face_point(g, face, 0)), from_x = point_sub(beam->apex, x);
-    Point n = face_normal(g, face);
+    Point to_vertex = point_sub(beam->apex, face_point(world, face, 0)), from_x = point_sub(beam->apex, x);
+    Point n = face_normal(world, face);
     wide height = point_dot(n, to_vertex);
     if (height < 0)
         n = point(-n.x, -n.y, -n.z);
@@ -178,14 +179,14 @@ typedef struct BeamPlane {
     int side;
 } BeamPlane;
 
-NOINLINE BeamPlane beam_plane(const Geometry *g, const Beam *beam, int face)
+NOINLINE BeamPlane beam_plane(const World *world, const Beam *beam, int face)
 {
-    Point n = face_normal(g, face), x = point_sub(beam->apex, face_point(g, face, 0));
+    Point n = face_normal(world, face), x = point_sub(beam->apex, face_point(world, face, 0));
     wide height = point_dot(n, x), doubt = WIDE_SLACK * (beam->size + point_magnitudes(x));
     BeamPlane plane = {{0, 0, 0}, WIDE_MAX, 0};
     if (fabs(height) <= doubt) {
         wide apex[3] = {beam->apex.x, beam->apex.y, beam->apex.z};
-        wide distance = beam->mirrored ? 0 : plane_distance_of_point(g, face, apex);
+        wide distance = beam->mirrored ? 0 : plane_distance_of_point(world, face, apex);
         plane.side = distance > 0 ? 1 : distance < 0 ? -1 : 0;
         return plane;
     }
@@ -221,27 +222,27 @@ typedef struct BeamFace {
     Linear across[4], down[4];
 } BeamFace;
 
-NOINLINE void beam_edges(const Geometry *g, const Beam *b, int face, int side, BeamFace *f)
+NOINLINE void beam_edges(const World *world, const Beam *b, int face, int side, BeamFace *f)
 {
     f->face = face;
-    f->count = face_vertex_count(g, face);
+    f->count = face_vertex_count(world, face);
     f->side = side;
     f->has_sides = false;
     for (int k = 0; k < f->count; k++) {
-        Point corner = face_point(g, face, k), p = point_sub(corner, b->apex);
-        Point e = point_sub(face_point(g, face, k + 1 < f->count ? k + 1 : 0), corner);
+        Point corner = face_point(world, face, k), p = point_sub(corner, b->apex);
+        Point e = point_sub(face_point(world, face, k + 1 < f->count ? k + 1 : 0), corner);
         wide error = WIDE_SLACK * (b->size + point_magnitudes(p));
         f->edges[k] = linear_over(b, point_cross(p, e), error * point_magnitudes(e));
     }
 }
 
-NOINLINE void beam_sides(const Geometry *g, const Beam *b, BeamFace *f)
+NOINLINE void beam_sides(const World *world, const Beam *b, BeamFace *f)
 {
     Point uv = point_cross(b->u, b->v);
     real sign = point_dot(uv, b->c0) < 0 ? -1 : 1;
     f->has_sides = true;
     for (int k = 0; k < f->count; k++) {
-        Point p = point_sub(face_point(g, f->face, k), b->apex);
+        Point p = point_sub(face_point(world, f->face, k), b->apex);
         Point pv = point_cross(p, b->v), up = point_cross(b->u, p);
         wide error = WIDE_SLACK * (b->size + point_magnitudes(p));
         f->l[k] = sign * (real)point_dot(uv, p);
@@ -286,7 +287,7 @@ INLINE Mask beside(const BeamLanes *b, const BeamFace *f)
 }
 
 /* Of packet k of the beam, in the active lanes. */
-NOINLINE BeamCover beam_cover(const Geometry *g, const Beam *beam, int packet, BeamFace *f, Mask active)
+NOINLINE BeamCover beam_cover(const World *world, const Beam *beam, int packet, BeamFace *f, Mask active)
 {
     const BeamLanes *b = beam->lanes + packet;
     Mask some_left = (Mask)0, some_right = (Mask)0, all_left = (Mask)-1, all_right = (Mask)-1;
@@ -304,7 +305,7 @@ NOINLINE BeamCover beam_cover(const Geometry *g, const Beam *beam, int packet, B
     cover.clear = f->side > 0 ? some_left : f->side < 0 ? some_right : some_left & some_right;
     if (ANY(active & ~(cover.filled | cover.clear))) {
         if (!f->has_sides)
-            beam_sides(g, beam, f);
+            beam_sides(world, beam, f);
         cover.clear |= ~cover.filled & beside(b, f);
     }
     return cover;

@@ -2,7 +2,7 @@
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/shade.cl"
 #include "adaptive/group_beam.cl"
@@ -27,12 +27,11 @@ INLINE uint boxes_left(const Cuts *cuts, global const float *planes)
     return mask_bits(left);
 }
 
-NOINLINE void traverse_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
+NOINLINE void traverse_beam(const World *world, BeamQuery *q)
 {
-    const Tree *tree = s->tree;
-    GroupBeam whole = group_beam(s, q->beam);
+    GroupBeam whole = group_beam(world, q->beam);
     Cuts cuts;
-    make_cuts(g, q, &whole, &cuts);
+    make_cuts(world, q, &whole, &cuts);
     int stack[STACK_SIZE], count = 0;
     stack[count++] = 0;
     while (count > 0) {
@@ -40,15 +39,15 @@ NOINLINE void traverse_beam(const Geometry *g, const Shading *s, BeamQuery *q, C
         if (node < 0) {
             int first = LEAF_FIRST(node), faces = LEAF_COUNT(node);
             for (int i = first; i < first + faces && q->asking; i++)
-                intersect_beam(g, q, &whole, i, counters);
+                intersect_beam(world, q, &whole, i);
             if (!q->asking)
                 return;
             continue;
         }
-        counters->kinds[COUNT_BOX_TESTS] += NODE_WIDTH;
-        global const int *children = tree->ints + (size_t)node * NODE_WIDTH;
+        world->counters[COUNT_BOX_TESTS] += NODE_WIDTH;
+        global const int *children = world->tree_ints + (size_t)node * NODE_WIDTH;
         for (int part = 0; part < NODE_WIDTH; part += LANES)
-            for (uint met = boxes_left(&cuts, tree->floats + (size_t)node * (6 * NODE_WIDTH) + part); met; met &= met - 1)
+            for (uint met = boxes_left(&cuts, world->tree_floats + (size_t)node * (6 * NODE_WIDTH) + part); met; met &= met - 1)
                 if (children[part + lowest_bit(met)] != NO_CHILD)
                     stack[count++] = children[part + lowest_bit(met)];
     }

@@ -1,4 +1,5 @@
 /* Planes that bound where a beam looks for faces: what lies beyond one of them is left out. */
+#include "packet/world.cl"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
 #include "packet/accel.cl"
@@ -27,13 +28,13 @@ INLINE void add_cut(Cuts *cuts, Point w, Point o, wide slack, wide size)
 }
 
 /* What is on the positive side of a face's plane. */
-INLINE void cut_plane(Cuts *cuts, const Geometry *g, int face, int side)
+INLINE void cut_plane(const World *world, Cuts *cuts, int face, int side)
 {
-    Point n = point_scale(side, face_normal(g, face)), corner = face_point(g, face, 0);
+    Point n = point_scale(side, face_normal(world, face)), corner = face_point(world, face, 0);
     add_cut(cuts, n, corner, BOX_SLACK * point_magnitudes(n), point_magnitudes(corner));
 }
 
-static void make_cuts(const Geometry *g, const BeamQuery *q, const GroupBeam *b, Cuts *cuts)
+static void make_cuts(const World *world, const BeamQuery *q, const GroupBeam *b, Cuts *cuts)
 {
     Point l = point(b->l[0], b->l[1], b->l[2]);
     cuts->count = 0;
@@ -44,8 +45,8 @@ static void make_cuts(const Geometry *g, const BeamQuery *q, const GroupBeam *b,
     }
 #if ACCEL == ACCEL_BVH /* a box of a k-d tree may hold but a part of a face, of which another part may be elsewhere */
     if (q->to >= 0)
-        cut_plane(cuts, g, q->to, -q->far.side);
+        cut_plane(world, cuts, q->to, -q->far.side);
     if (q->from >= 0)
-        cut_plane(cuts, g, q->from, q->near.side);
+        cut_plane(world, cuts, q->from, q->near.side);
 #endif
 }

@@ -2,7 +2,7 @@
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/tree.cl"
 #include "packet/shade.cl"
@@ -30,35 +30,34 @@ static bool box_is_left(const Cuts *cuts, const KdBox *box)
     return true;
 }
 
-NOINLINE void traverse_beam(const Geometry *g, const Shading *s, BeamQuery *q, Counters *counters)
+NOINLINE void traverse_beam(const World *world, BeamQuery *q)
 {
-    const Tree *tree = s->tree;
-    GroupBeam whole = group_beam(s, q->beam);
+    GroupBeam whole = group_beam(world, q->beam);
     Cuts cuts;
-    make_cuts(g, q, &whole, &cuts);
+    make_cuts(world, q, &whole, &cuts);
     KdBox stack[STACK_SIZE];
     int count = 1;
     stack[0].node = 0;
     for (int k = 0; k < 6; k++)
-        stack[0].planes[k] = tree->floats[k];
+        stack[0].planes[k] = world->tree_floats[k];
     while (count > 0) {
         KdBox box = stack[--count];
-        counters->kinds[COUNT_BOX_TESTS]++;
+        world->counters[COUNT_BOX_TESTS]++;
         if (!box_is_left(&cuts, &box))
             continue;
-        global const int *ints = tree->ints + 1 + (size_t)box.node * KD_INTS;
+        global const int *ints = world->tree_ints + 1 + (size_t)box.node * KD_INTS;
         int axis = ints[KD_AXIS];
         if (axis != KD_LEAF) {
             KdBox below = box, above = box;
             below.node = box.node + 1;
             above.node = ints[KD_FIRST];
-            below.planes[2 * axis + 1] = above.planes[2 * axis] = tree->floats[6 + box.node];
+            below.planes[2 * axis + 1] = above.planes[2 * axis] = world->tree_floats[6 + box.node];
             stack[count++] = above;
             stack[count++] = below;
             continue;
         }
         for (int i = ints[KD_FIRST]; i < ints[KD_FIRST] + ints[KD_COUNT] && q->asking; i++)
-            intersect_beam(g, q, &whole, face_in_leaf(tree, i), counters);
+            intersect_beam(world, q, &whole, face_in_leaf(world, i));
         if (!q->asking)
             return;
     }

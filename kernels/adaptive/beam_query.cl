@@ -3,7 +3,7 @@
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "adaptive/beam.cl"
 #include "adaptive/group_beam.cl"
 
@@ -26,13 +26,13 @@ INLINE void count_asking(BeamQuery *q)
         q->asking += mask_count(q->active[k]);
 }
 
-static bool is_on_side(const Geometry *g, int face, int of, int side)
+static bool is_on_side(const World *world, int face, int of, int side)
 {
     bool off = false;
-    Point n = face_normal(g, of), corner = face_point(g, of, 0);
-    int count = face_vertex_count(g, face);
+    Point n = face_normal(world, of), corner = face_point(world, of, 0);
+    int count = face_vertex_count(world, face);
     for (int k = 0; k < count; k++) {
-        Point x = point_sub(face_point(g, face, k), corner);
+        Point x = point_sub(face_point(world, face, k), corner);
         wide height = side * point_dot(n, x), doubt = WIDE_SLACK * point_magnitudes(x);
         if (height < -doubt)
             return false;
@@ -41,19 +41,19 @@ static bool is_on_side(const Geometry *g, int face, int of, int side)
     return off;
 }
 
-static void intersect_beam(const Geometry *g, BeamQuery *q, const GroupBeam *whole, int i, Counters *counters)
+static void intersect_beam(const World *world, BeamQuery *q, const GroupBeam *whole, int i)
 {
     const Beam *beam = q->beam;
-    if (i == q->from || i == q->to || is_clear_of(g, whole, i))
+    if (i == q->from || i == q->to || is_clear_of(world, whole, i))
         return;
-    counters->kinds[COUNT_FACE_TESTS] += q->asking;
-    BeamPlane seen = beam_plane(g, beam, i);
+    world->counters[COUNT_FACE_TESTS] += q->asking;
+    BeamPlane seen = beam_plane(world, beam, i);
     int back = q->shadow ? 1 : -1;
-    if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && face_bits(face_row(g, i)) & FACE_BACK_OPEN) ||
-        (q->to >= 0 && is_on_side(g, i, q->to, -q->far.side)) || (q->from >= 0 && is_on_side(g, i, q->from, q->near.side)))
+    if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && face_bits(face_row(world, i)) & FACE_BACK_OPEN) ||
+        (q->to >= 0 && is_on_side(world, i, q->to, -q->far.side)) || (q->from >= 0 && is_on_side(world, i, q->from, q->near.side)))
         return;
     BeamFace face;
-    beam_edges(g, beam, i, seen.side, &face);
+    beam_edges(world, beam, i, seen.side, &face);
     Linear behind, before, within;
     bool has_behind = farther_plane(beam, &q->far, &seen, &behind);
     bool has_before = q->from >= 0 && farther_plane(beam, &seen, &q->near, &before);
@@ -62,7 +62,7 @@ static void intersect_beam(const Geometry *g, BeamQuery *q, const GroupBeam *who
         const BeamLanes *lanes = beam->lanes + k;
         if (!ANY(q->active[k]))
             continue;
-        BeamCover cover = beam_cover(g, beam, k, &face, q->active[k]);
+        BeamCover cover = beam_cover(world, beam, k, &face, q->active[k]);
         Mask met = q->active[k] & ~cover.clear;
         if (!ANY(met))
             continue;

@@ -1,6 +1,7 @@
 /* One beam that holds those of a whole group of pixels. What it is clear of, the reference finds each pixel clear of: the slacks
  * are more than all doubts there and all rounding here, though less than beam.cl's for a lane in float. Nearly all faces and
  * boxes are left out here, in real, all edges or corners at once. */
+#include "packet/world.cl"
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
@@ -23,14 +24,14 @@ INLINE void real_row(Point p, real *row)
     row[2] = (real)p.z;
 }
 
-static GroupBeam group_beam(const Shading *s, const Beam *b)
+static GroupBeam group_beam(const World *world, const Beam *b)
 {
     Point u = point_scale(b->extent[0], b->u), v = point_scale(b->extent[1], b->v);
     Point c = point_add(b->c0, point_add(point_scale(b->middle[0], b->u), point_scale(b->middle[1], b->v)));
     Point uv = point_cross(u, v), vc = point_cross(v, c), cu = point_cross(c, u);
     int sign = point_dot(uv, b->c0) < 0 ? -1 : 1;
     wide us = point_magnitudes(u), vs = point_magnitudes(v), cs = point_magnitudes(c), crossed = us * vs + vs * cs + cs * us;
-    wide farthest = 2 * b->size + s->view[VIEW_FARTHEST];
+    wide farthest = 2 * b->size + world->view[VIEW_FARTHEST];
     GroupBeam whole;
     whole.size = (real)b->size;
     real_row(b->apex, whole.apex);
@@ -80,9 +81,9 @@ INLINE bool is_beside(const GroupBeam *b, Corners v)
     return all(la > limit) || all(-la > limit) || all(lb > limit) || all(-lb > limit);
 }
 
-INLINE bool is_clear_of(const Geometry *g, const GroupBeam *b, int face)
+INLINE bool is_clear_of(const World *world, const GroupBeam *b, int face)
 {
-    global const real *row = face_row(g, face);
+    global const real *row = face_row(world, face);
     Corners v = {of_vertices(row, 0) - b->apex[0], of_vertices(row, 1) - b->apex[1], of_vertices(row, 2) - b->apex[2]};
     return is_outside(b, row, v) || is_beside(b, v);
 }

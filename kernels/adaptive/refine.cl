@@ -5,7 +5,7 @@
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
 #include "packet/apex.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/tree.cl"
 #include "packet/shade.cl"
@@ -13,18 +13,17 @@
 #include "packet/picture.cl"
 #include "packet/paths.cl"
 #include "adaptive/adaptive.cl"
-#include "packet/scene.cl"
 
 /* The directions R = Q - C to sub-pixels (i, j) of the pixels at (column, row), lane by lane: see view_direction in
  * geometry.c. */
-static WideVec direction_to(const Shading *s, Wide column, Wide row, Wide i, Wide j)
+static WideVec direction_to(const World *world, Wide column, Wide row, Wide i, Wide j)
 {
-    constant const Parameters *p = s->parameters;
+    constant const Parameters *p = world->parameters;
     Wide sub_column = (i + (wide)0.5) / (wide)p->grid, sub_row = (j + (wide)0.5) / (wide)p->grid;
-    Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
-    Wide y = ((wide)0.5 - (row + sub_row) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
-    return wide_add(wide_add(view_vec(s, VIEW_FORWARD), wide_scale(x, view_vec(s, VIEW_RIGHT))),
-                    wide_scale(y, view_vec(s, VIEW_UP)));
+    Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5) * view_value(world, VIEW_WIDTH);
+    Wide y = ((wide)0.5 - (row + sub_row) / (wide)p->rows) * view_value(world, VIEW_HEIGHT);
+    return wide_add(wide_add(view_vec(world, VIEW_FORWARD), wide_scale(x, view_vec(world, VIEW_RIGHT))),
+                    wide_scale(y, view_vec(world, VIEW_UP)));
 }
 
 /* The bundle of the active rays, which start at the apex. */
@@ -39,11 +38,11 @@ static RayBounds bounds_of_rays(const Apex *a, const Path *paths, const Ray *ray
 }
 
 /* As render_tile does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
-INLINE void render_centres(const Geometry *g, const Shading *s, int first_column, int first_row, global uchar *rgb,
-                           global uchar *flags, Counters *counters)
+INLINE void render_centres(const World *world, int first_column, int first_row, global uchar *rgb,
+                           global uchar *flags)
 {
-    constant const Parameters *p = s->parameters;
-    Apex apex = apex_at_eye(s);
+    constant const Parameters *p = world->parameters;
+    Apex apex = apex_at_eye(world);
     Path paths[PACKETS];
     Ray rays[PACKETS];
     Trail trails[PACKETS];
@@ -53,17 +52,17 @@ INLINE void render_centres(const Geometry *g, const Shading *s, int first_column
         Mask number = lane_numbers();
         pixels.columns[k] = MASK_TO_WIDE(first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
         pixels.rows[k] = MASK_TO_WIDE(p->first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
-        rays[k].origin = view_vec(s, VIEW_EYE);
-        rays[k].direction = pixels.directions[k] = direction_to(s, pixels.columns[k], pixels.rows[k], (Wide)0, (Wide)0);
+        rays[k].origin = view_vec(world, VIEW_EYE);
+        rays[k].direction = pixels.directions[k] = direction_to(world, pixels.columns[k], pixels.rows[k], (Wide)0, (Wide)0);
         paths[k].active = even[k] = pixels_inside(p, first_column, first_row, k);
         trails[k].count = 0;
-        counters->kinds[COUNT_PRIMARY] += mask_count(even[k]);
+        world->counters[COUNT_PRIMARY] += mask_count(even[k]);
     }
     RayBounds seen = bounds_of_rays(&apex, paths, rays);
     begin_paths(paths, rays);
-    Camera camera = camera_of(s);
-    trace_paths(g, s, camera.eye, &apex, &seen, 0, paths, rays, 0, trails, counters);
-    judge_pixels(g, s, trails, &pixels, even, counters);
+    Camera camera = camera_of(world);
+    trace_paths(world, camera.eye, &apex, &seen, 0, paths, rays, 0, trails);
+    judge_pixels(world, trails, &pixels, even);
     EACH_PACKET(k) {
         int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
         store_packet(rgb, p, column, row, paths[k].total);
@@ -98,37 +97,36 @@ static void add_samples(Refined *pixel, Vec colour, int count)
 }
 
 /* Traces samples first, first + 1, ... of each pixel, a packet for each: see adaptive_generator. */
-static void trace_samples(const Geometry *g, const Shading *s, const Apex *apex, Refined *pixels, int pixel_count, int first,
-                          Counters *counters)
+static void trace_samples(const World *world, const Apex *apex, Refined *pixels, int pixel_count, int first)
 {
-    constant const Parameters *p = s->parameters;
+    constant const Parameters *p = world->parameters;
     int count = min(p->grid - first, LANES);
     Mask lane = lane_numbers(), i = lane + first, j = i * p->generator % p->grid;
     Path paths[PACKETS];
     Ray rays[PACKETS];
     EACH_PACKET(k) {
         const Refined *pixel = pixels + min(k, pixel_count - 1);
-        rays[k].origin = view_vec(s, VIEW_EYE);
-        rays[k].direction = direction_to(s, (Wide)(wide)pixel->column, (Wide)(wide)pixel->row, MASK_TO_WIDE(i), MASK_TO_WIDE(j));
+        rays[k].origin = view_vec(world, VIEW_EYE);
+        rays[k].direction = direction_to(world, (Wide)(wide)pixel->column, (Wide)(wide)pixel->row, MASK_TO_WIDE(i), MASK_TO_WIDE(j));
         paths[k].active = k < pixel_count ? IS(lane < (Mask)count) : (Mask)0;
     }
-    counters->kinds[COUNT_PRIMARY] += (uint)(pixel_count * count);
+    world->counters[COUNT_PRIMARY] += (uint)(pixel_count * count);
     RayBounds seen = bounds_of_rays(apex, paths, rays);
     begin_paths(paths, rays);
-    Camera camera = camera_of(s);
-    trace_paths(g, s, camera.eye, apex, &seen, 0, paths, rays, 0, 0, counters);
+    Camera camera = camera_of(world);
+    trace_paths(world, camera.eye, apex, &seen, 0, paths, rays, 0, 0);
     for (int k = 0; k < pixel_count; k++)
         add_samples(pixels + k, paths[k].total, count);
 }
 
 /* Refines neighbours in the list of pixels. list: places in the band. */
-static void refine(const Geometry *g, const Shading *s, global uchar *rgb, global const int *list, Counters *counters)
+static void refine(const World *world, global uchar *rgb, global const int *list)
 {
-    constant const Parameters *p = s->parameters;
+    constant const Parameters *p = world->parameters;
     int first = (int)get_global_id(0) * PACKETS, pixel_count = min(p->refine_count - first, PACKETS);
     if (pixel_count <= 0)
         return;
-    Apex apex = apex_at_eye(s);
+    Apex apex = apex_at_eye(world);
     Refined pixels[PACKETS];
     for (int k = 0; k < pixel_count; k++) {
         int place = list[p->refine_first + first + k];
@@ -136,7 +134,7 @@ static void refine(const Geometry *g, const Shading *s, global uchar *rgb, globa
         pixels[k] = pixel;
     }
     for (int sample = 0; sample < p->grid; sample += LANES)
-        trace_samples(g, s, &apex, pixels, pixel_count, sample, counters);
+        trace_samples(world, &apex, pixels, pixel_count, sample);
     real samples = p->grid;
     for (int k = 0; k < pixel_count; k++) {
         const real *sum = pixels[k].sum;
@@ -152,17 +150,15 @@ kernel void render_adaptive(constant Parameters *parameters, global const FaceRe
                             global const float *tree_floats, global const int *tree_ints, global uchar *flags,
                             global const int *list)
 {
-    Geometry g = {faces, edges, planes, parameters->face_count};
-    Tree tree = {tree_floats, tree_ints};
-    Shading s = {materials, lights, view, parameters, &tree};
-    Counters counters = {{0}};
+    uint counters[COUNTER_KINDS] = {0};
+    World world = {parameters, faces, edges, planes, parameters->face_count, materials, lights, view, tree_floats, tree_ints, counters};
     if (parameters->refine_count > 0) {
-        refine(&g, &s, rgb, list, &counters);
+        refine(&world, rgb, list);
     } else {
         Area area = area_of_block(parameters, (int)get_global_id(0), 0);
         for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
             for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
-                render_centres(&g, &s, column, row, rgb, flags, &counters);
+                render_centres(&world, column, row, rgb, flags);
     }
-    add_counters(totals, &counters);
+    add_counters(totals, &world);
 }

@@ -6,10 +6,4 @@
 #define ACCEL_BVH 1
 #define ACCEL_KDTREE 2
 
-/* A tree's buffers; bvh.cl and kdtree.cl say what is in them. */
-typedef struct Tree {
-    global const float *floats;
-    global const int *ints;
-} Tree;
-
 #define REACH_ALL ((real)1e30f)

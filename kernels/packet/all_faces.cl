@@ -2,7 +2,7 @@
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
 #include "packet/apex.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 
 typedef int Stack;
@@ -13,16 +13,15 @@ INLINE RayBounds bounds_within(const Apex *a, const real *low, const real *high)
 INLINE RayBounds bounds_of(const RealRay *l, Mask active) { return 0; }
 INLINE void bounds_shorten(RayBounds *b, real reach) {}
 INLINE void bounds_cull_sides(RayBounds *b, bool reversed) {}
-INLINE Stack stack_of(const Tree *tree, const RayBounds *b) { return 1; }
-INLINE bool misses_all(const Tree *tree, const RayBounds *b) { return false; }
+INLINE Stack stack_of(const World *world, const RayBounds *b) { return 1; }
+INLINE bool misses_all(const World *world, const RayBounds *b) { return false; }
 INLINE void push_back(Stack *stack) { *stack = 1; }
 INLINE void forget_distances(Stack *stack) {}
-INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
+INLINE int face_in_leaf(const World *world, int i) { return i; }
 
-INLINE bool next_leaf(const Geometry *g, const Tree *tree, const RayBounds *b, uint rays, Stack *stack, int *first, int *count,
-                      Counters *c)
+INLINE bool next_leaf(const World *world, const RayBounds *b, uint rays, Stack *stack, int *first, int *count)
 {
     *first = 0;
-    *count = g->face_count;
+    *count = world->face_count;
     return (*stack)-- > 0;
 }

@@ -5,7 +5,7 @@
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/ray_bounds.cl"
 
@@ -29,13 +29,13 @@ INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
 
 /* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. left_out: those of them
  * that it need not. */
-INLINE uint children_met(const Tree *tree, const RayBounds *b, int node, int part, Lanes *enter, uint *left_out)
+INLINE uint children_met(const World *world, const RayBounds *b, int node, int part, Lanes *enter, uint *left_out)
 {
-    IntLanes children = LOAD(tree->ints + (size_t)node * NODE_WIDTH + part), key = LEAF_KEY(children);
+    IntLanes children = LOAD(world->tree_ints + (size_t)node * NODE_WIDTH + part), key = LEAF_KEY(children);
     Mask back = INTS_TO_MASK(IS(key == (IntLanes)b->left_out[0]) | IS(key == (IntLanes)b->left_out[1]) |
                              IS(key == (IntLanes)b->left_out[2]));
     Mask none = INTS_TO_MASK(IS(children == (IntLanes)NO_CHILD));
-    global const float *boxes = tree->floats + (size_t)node * (6 * NODE_WIDTH) + part;
+    global const float *boxes = world->tree_floats + (size_t)node * (6 * NODE_WIDTH) + part;
     Lanes leave = (Lanes)b->reach;
     *enter = (Lanes)0;
     for (int axis = 0; axis < 3; axis++)
@@ -47,32 +47,32 @@ INLINE uint children_met(const Tree *tree, const RayBounds *b, int node, int par
 }
 
 /* Does the bundle miss all that is in the tree? */
-INLINE bool misses_all(const Tree *tree, const RayBounds *b)
+INLINE bool misses_all(const World *world, const RayBounds *b)
 {
     for (int part = 0; part < NODE_WIDTH; part += LANES) {
         Lanes enter;
         uint left_out;
-        if (children_met(tree, b, 0, part, &enter, &left_out) != 0)
+        if (children_met(world, b, 0, part, &enter, &left_out) != 0)
             return false;
     }
     return true;
 }
 
-INLINE void fetch_node(const Tree *tree, int node)
+INLINE void fetch_node(const World *world, int node)
 {
-    fetch(tree->floats + (size_t)node * (6 * NODE_WIDTH), 6 * NODE_WIDTH * sizeof(float));
-    fetch(tree->ints + (size_t)node * NODE_WIDTH, NODE_WIDTH * sizeof(int));
+    fetch(world->tree_floats + (size_t)node * (6 * NODE_WIDTH), 6 * NODE_WIDTH * sizeof(float));
+    fetch(world->tree_ints + (size_t)node * NODE_WIDTH, NODE_WIDTH * sizeof(int));
 }
 
 /* Puts the children that the bundle may meet on the stack. Returns how many faces it left out. */
-INLINE uint push_children(const Geometry *g, const Tree *tree, const RayBounds *b, int node, Stack *stack)
+INLINE uint push_children(const World *world, const RayBounds *b, int node, Stack *stack)
 {
-    global const int *children = tree->ints + (size_t)node * NODE_WIDTH;
+    global const int *children = world->tree_ints + (size_t)node * NODE_WIDTH;
     int floor = stack->count;
     uint faces_left_out = 0;
     for (int part = 0; part < NODE_WIDTH; part += LANES) {
         Lanes enter;
-        uint left_out, met = children_met(tree, b, node, part, &enter, &left_out);
+        uint left_out, met = children_met(world, b, node, part, &enter, &left_out);
         faces_left_out += popcount(left_out);
         if (!met)
             continue;
@@ -82,16 +82,16 @@ INLINE uint push_children(const Geometry *g, const Tree *tree, const RayBounds *
             int i = lowest_bit(met);
             int child = children[part + i];
             if (child < 0)
-                fetch(g->edges + (size_t)LEAF_FIRST(child) * FACE_REALS, (uint)LEAF_COUNT(child) * FACE_REALS * sizeof(real));
+                fetch(world->edges + (size_t)LEAF_FIRST(child) * FACE_REALS, (uint)LEAF_COUNT(child) * FACE_REALS * sizeof(real));
             else
-                fetch_node(tree, child);
+                fetch_node(world, child);
             stack_insert(stack, floor, child, enters[i]);
         }
     }
     return faces_left_out;
 }
 
-INLINE Stack stack_of(const Tree *tree, const RayBounds *b)
+INLINE Stack stack_of(const World *world, const RayBounds *b)
 {
     Stack stack;
     stack.node[0] = 0;
@@ -110,12 +110,11 @@ INLINE void forget_distances(Stack *stack)
         stack->enter[i] = 0;
 }
 
-INLINE int face_in_leaf(const Tree *tree, int i) { return i; }
+INLINE int face_in_leaf(const World *world, int i) { return i; }
 
 /* The next leaf that the bundle, of so many rays, meets, nearest first: its faces are first .. first + count - 1. False: there is
  * none. */
-INLINE bool next_leaf(const Geometry *g, const Tree *tree, const RayBounds *b, uint rays, Stack *stack, int *first, int *count,
-                      Counters *counters)
+INLINE bool next_leaf(const World *world, const RayBounds *b, uint rays, Stack *stack, int *first, int *count)
 {
     while (stack->count > 0) {
         int node = stack->node[--stack->count];
@@ -126,8 +125,8 @@ INLINE bool next_leaf(const Geometry *g, const Tree *tree, const RayBounds *b, u
             *count = LEAF_COUNT(node);
             return true;
         }
-        counters->kinds[COUNT_BOX_TESTS] += NODE_WIDTH;
-        counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += rays * push_children(g, tree, b, node, stack);
+        world->counters[COUNT_BOX_TESTS] += NODE_WIDTH;
+        world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] += rays * push_children(world, b, node, stack);
     }
     return false;
 }

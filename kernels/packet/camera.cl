@@ -1,4 +1,5 @@
 /* Pixels, packets of them, tiles of packets, and the rays through them. */
+#include "packet/world.cl"
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
@@ -31,21 +32,21 @@ INLINE Area area_of_block(constant const Parameters *p, int block, int k)
     return area;
 }
 
-static wide view_value(const Shading *s, int column) { return (wide)s->view[column] + (wide)s->view[VIEW_REALS + column]; }
+static wide view_value(const World *world, int column) { return (wide)world->view[column] + (wide)world->view[VIEW_REALS + column]; }
 
-static WideVec view_vec(const Shading *s, int column)
+static WideVec view_vec(const World *world, int column)
 {
-    return wide_vec((Wide)view_value(s, column), (Wide)view_value(s, column + 1), (Wide)view_value(s, column + 2));
+    return wide_vec((Wide)view_value(world, column), (Wide)view_value(world, column + 1), (Wide)view_value(world, column + 2));
 }
 
 /* Where packet k begins in its tile. */
 #define PACKET_COLUMN(k) ((k) % PACKETS_ACROSS * PACKET_COLUMNS)
 #define PACKET_ROW(k) ((k) / PACKETS_ACROSS * PACKET_ROWS)
 
-INLINE Apex apex_at_eye(const Shading *s)
+INLINE Apex apex_at_eye(const World *world)
 {
-    wide eye[3] = {view_value(s, VIEW_EYE), view_value(s, VIEW_EYE + 1), view_value(s, VIEW_EYE + 2)};
-    return apex_at(eye, 0, s->view[VIEW_LENGTH]);
+    wide eye[3] = {view_value(world, VIEW_EYE), view_value(world, VIEW_EYE + 1), view_value(world, VIEW_EYE + 2)};
+    return apex_at(eye, 0, world->view[VIEW_LENGTH]);
 }
 
 typedef struct Frustum {
@@ -58,26 +59,26 @@ typedef struct ScreenPlaces {
 } ScreenPlaces;
 
 /* The place of sub-column i of a column of pixels, and of sub-row j of a row. */
-INLINE wide screen_x(const Shading *s, int column, int i)
+INLINE wide screen_x(const World *world, int column, int i)
 {
-    constant const Parameters *p = s->parameters;
-    return ((column + (i + (wide)0.5) / p->grid) / (wide)p->columns - (wide)0.5) * view_value(s, VIEW_WIDTH);
+    constant const Parameters *p = world->parameters;
+    return ((column + (i + (wide)0.5) / p->grid) / (wide)p->columns - (wide)0.5) * view_value(world, VIEW_WIDTH);
 }
 
-INLINE wide screen_y(const Shading *s, int row, int j)
+INLINE wide screen_y(const World *world, int row, int j)
 {
-    constant const Parameters *p = s->parameters;
-    return ((wide)0.5 - (row + (j + (wide)0.5) / p->grid) / (wide)p->rows) * view_value(s, VIEW_HEIGHT);
+    constant const Parameters *p = world->parameters;
+    return ((wide)0.5 - (row + (j + (wide)0.5) / p->grid) / (wide)p->rows) * view_value(world, VIEW_HEIGHT);
 }
 
 /* For the sub-pixels (i, j) of each pixel's grid. */
-INLINE ScreenPlaces screen_places(const Shading *s, int first_column, int first_row, int i, int j)
+INLINE ScreenPlaces screen_places(const World *world, int first_column, int first_row, int i, int j)
 {
     ScreenPlaces places;
     for (int column = 0; column < TILE_COLUMNS; column++)
-        places.x[column] = screen_x(s, first_column + column, i);
+        places.x[column] = screen_x(world, first_column + column, i);
     for (int row = 0; row < TILE_ROWS; row++)
-        places.y[row] = screen_y(s, first_row + row, j);
+        places.y[row] = screen_y(world, first_row + row, j);
     return places;
 }
 
@@ -86,14 +87,14 @@ typedef struct Camera {
     wide eye[3], forward[3], right[3], up[3];
 } Camera;
 
-INLINE Camera camera_of(const Shading *s)
+INLINE Camera camera_of(const World *world)
 {
     Camera c;
     for (int axis = 0; axis < 3; axis++) {
-        c.eye[axis] = view_value(s, VIEW_EYE + axis);
-        c.forward[axis] = view_value(s, VIEW_FORWARD + axis);
-        c.right[axis] = view_value(s, VIEW_RIGHT + axis);
-        c.up[axis] = view_value(s, VIEW_UP + axis);
+        c.eye[axis] = view_value(world, VIEW_EYE + axis);
+        c.forward[axis] = view_value(world, VIEW_FORWARD + axis);
+        c.right[axis] = view_value(world, VIEW_RIGHT + axis);
+        c.up[axis] = view_value(world, VIEW_UP + axis);
     }
     return c;
 }
@@ -107,11 +108,11 @@ INLINE void mirror(global const wide *normal, wide height, wide *v)
 INLINE wide height_of(global const wide *normal, const wide *v) { return normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2]; }
 
 /* The image of a camera in the plane of a face. */
-INLINE Camera camera_in_mirror(const Geometry *g, int face, const Camera *camera)
+INLINE Camera camera_in_mirror(const World *world, int face, const Camera *camera)
 {
     Camera c = *camera;
-    global const wide *n = g->planes + (size_t)face * PLANE_REALS;
-    global const real *v = face_row(g, face) + FACE_VERTICES;
+    global const wide *n = world->planes + (size_t)face * PLANE_REALS;
+    global const real *v = face_row(world, face) + FACE_VERTICES;
     wide off[3] = {c.eye[0] - v[0], c.eye[1] - v[4], c.eye[2] - v[8]};
     mirror(n, height_of(n, off), c.eye);
     mirror(n, height_of(n, c.forward), c.forward);
@@ -134,12 +135,12 @@ INLINE Window window_of_tile(constant const Parameters *p, const ScreenPlaces *p
 }
 
 /* Of all sub-pixels of an area. */
-INLINE Window window_of_area(const Shading *s, const Area *area)
+INLINE Window window_of_area(const World *world, const Area *area)
 {
-    constant const Parameters *p = s->parameters;
+    constant const Parameters *p = world->parameters;
     int column = area->column, row = p->first_row + area->row, last = p->grid - 1;
-    Window w = {{screen_x(s, column, 0), screen_x(s, column + area->columns - 1, last)},
-                {screen_y(s, row, 0), screen_y(s, row + area->rows - 1, last)}};
+    Window w = {{screen_x(world, column, 0), screen_x(world, column + area->columns - 1, last)},
+                {screen_y(world, row, 0), screen_y(world, row + area->rows - 1, last)}};
     return w;
 }
 

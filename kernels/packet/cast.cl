@@ -3,10 +3,9 @@
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
 #include "packet/intersect.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/search.cl"
-#include "packet/scene.cl"
 
 /* rays: ray_count x (origin, direction); hits_face, hits_t: one per ray, -1 and 0 for a miss. LANES rays per work-item. */
 kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
@@ -14,9 +13,8 @@ kernel void cast(constant Parameters *parameters, global const FaceRecord *faces
                  volatile global uint *totals,
                  global const float *tree_floats, global const int *tree_ints)
 {
-    Geometry g = {faces, edges, planes, parameters->face_count};
-    Tree tree = {tree_floats, tree_ints};
-    Counters counters = {{0}};
+    uint counters[COUNTER_KINDS] = {0};
+    World world = {parameters, faces, edges, planes, parameters->face_count, 0, 0, 0, tree_floats, tree_ints, counters};
     int first = (int)get_global_id(0) * LANES, count = min(LANES, parameters->ray_count - first);
     if (count <= 0)
         return;
@@ -26,8 +24,8 @@ kernel void cast(constant Parameters *parameters, global const FaceRecord *faces
             v[k][i] = rays[6 * (size_t)(first + min(i, count - 1)) + k];
     Ray ray = {wide_vec(LOAD(v[0]), LOAD(v[1]), LOAD(v[2])), wide_vec(LOAD(v[3]), LOAD(v[4]), LOAD(v[5]))};
     Mask active = IS(lane_numbers() < (Mask)count);
-    Hit nearest = ANY(active & ~same_origin(&ray)) ? find_nearest_apart(&g, &tree, &ray, active, &counters)
-                                                   : find_nearest_of_pencil(&g, &tree, &ray, active, &counters);
+    Hit nearest = ANY(active & ~same_origin(&ray)) ? find_nearest_apart(&world, &ray, active)
+                                                   : find_nearest_of_pencil(&world, &ray, active);
     MaskElement face[LANES];
     wide t[LANES];
     STORE(nearest.face, face);
@@ -36,6 +34,6 @@ kernel void cast(constant Parameters *parameters, global const FaceRecord *faces
         hits_face[first + i] = face[i] < 0 ? -1 : faces[face[i]].index;
         hits_t[first + i] = face[i] < 0 ? 0 : t[i];
     }
-    counters.kinds[COUNT_PRIMARY] += count;
-    add_counters(totals, &counters);
+    counters[COUNT_PRIMARY] += count;
+    add_counters(totals, &world);
 }

@@ -1,26 +1,20 @@
 /* Faces against lanes of rays. A fast test in `real` with a proved error bound settles nearly every lane;
  * the few that lie within the bound of an edge are settled by exact.cl. docs/algorithm.md derives the bounds. */
+#include "packet/world.cl"
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "shared/exact.cl"
-
-typedef struct Geometry {
-    global const FaceRecord *faces;
-    global const real *edges;  /* face_count rows of FACE_REALS */
-    global const wide *planes; /* face_count rows of PLANE_REALS */
-    int face_count;
-} Geometry;
 
 typedef struct Ray {
     WideVec origin, direction;
 } Ray;
 
-INLINE global const real *face_row(const Geometry *g, int face) { return g->edges + (size_t)face * FACE_REALS; }
+INLINE global const real *face_row(const World *world, int face) { return world->edges + (size_t)face * FACE_REALS; }
 INLINE Vec face_vertex(global const real *row, int k) { return vec((Lanes)row[k], (Lanes)row[4 + k], (Lanes)row[8 + k]); }
 INLINE real4 of_vertices(global const real *row, int axis) { return *(global const real4 *)(row + FACE_VERTICES + 4 * axis); }
 INLINE uint face_bits(global const real *row) { return *(global const uint *)(row + FACE_BITS); }
-INLINE int face_material(const Geometry *g, int face) { return g->faces[face].material & ~FACE_FLAT; }
-INLINE bool face_is_flat(const Geometry *g, int face) { return g->faces[face].material & FACE_FLAT; }
+INLINE int face_material(const World *world, int face) { return world->faces[face].material & ~FACE_FLAT; }
+INLINE bool face_is_flat(const World *world, int face) { return world->faces[face].material & FACE_FLAT; }
 INLINE real edge_bound(uint bits) { return (real)fabs(as_float(bits)); }
 INLINE real face_warp(uint bits) { return (real)fabs(as_float(bits << 16)); }
 
@@ -112,9 +106,9 @@ typedef struct PlaneRow {
     wide error, length;
 } PlaneRow;
 
-INLINE PlaneRow plane_row(const Geometry *g, int face)
+INLINE PlaneRow plane_row(const World *world, int face)
 {
-    global const wide *row = g->planes + (size_t)face * PLANE_REALS;
+    global const wide *row = world->planes + (size_t)face * PLANE_REALS;
     PlaneRow plane = {row[0], row[1], row[2], row[3], row[4], row[5], row[PLANE_ERROR], row[PLANE_LENGTH]};
     return plane;
 }
@@ -209,9 +203,9 @@ static WidePair normal_dot_accurate(const PlaneRow *plane, global const real *ro
 }
 
 /* N . (point - v0), its sign exact in every lane of `active`. */
-static Wide plane_distance(const Geometry *g, int face, const PlaneRow *plane, WideVec point, WideMask active)
+static Wide plane_distance(const World *world, int face, const PlaneRow *plane, WideVec point, WideMask active)
 {
-    global const real *row = face_row(g, face);
+    global const real *row = face_row(world, face);
     WideVec x = from_vertex(row, point);
     Wide value = normal_dot(plane, x);
     WideMask doubt = active & IS(fabs(value) <= PLAIN_ERROR(*plane) * wide_magnitudes(x));
@@ -230,10 +224,10 @@ NOINLINE wide resolve_distance_exactly(global const real *row, const wide *point
 }
 
 /* The same for a point common to all lanes. */
-INLINE wide plane_distance_of_point(const Geometry *g, int face, const wide *point)
+INLINE wide plane_distance_of_point(const World *world, int face, const wide *point)
 {
-    global const real *row = face_row(g, face);
-    global const wide *plane = g->planes + (size_t)face * PLANE_REALS;
+    global const real *row = face_row(world, face);
+    global const wide *plane = world->planes + (size_t)face * PLANE_REALS;
     wide x = point[0] - (wide)row[0], y = point[1] - (wide)row[4], z = point[2] - (wide)row[8];
     wide value = plane[0] * x + plane[1] * y + plane[2] * z;
     wide bound = (plane[PLANE_ERROR] + 8 * WIDE_ROUNDING) * (fabs(x) + fabs(y) + fabs(z));
@@ -259,13 +253,14 @@ NOINLINE void plane_hit_accurate(PlaneHit *hit, const PlaneRow *plane, global co
 
 /* Plain arithmetic in `wide` leaves an error of some 2^-50 |O - v0| in N.(O - v0) and of 2^-50 |R| in N.R, which is nothing
  * to a float unless the ray grazes the plane or starts close to it. There, and for t in double, it is done as in geometry.c. */
-static PlaneHit plane_hit(const Geometry *g, int face, const WideVec *origin, const WideVec *direction, WideMask active)
+static PlaneHit plane_hit(const World *world, int face, const WideVec *origin, const WideVec *direction,
+                          WideMask active)
 {
-    PlaneRow plane = plane_row(g, face);
+    PlaneRow plane = plane_row(world, face);
     PlaneHit hit;
     WideMask doubt = active;
     if (!PLAIN_IS_POOR) {
-        WideVec x = from_vertex(face_row(g, face), *origin);
+        WideVec x = from_vertex(face_row(world, face), *origin);
         Wide approach = normal_dot(&plane, *direction);
         hit.distance = normal_dot(&plane, x);
         hit.t = -hit.distance / approach;
@@ -273,23 +268,24 @@ static PlaneHit plane_hit(const Geometry *g, int face, const WideVec *origin, co
                  IS(fabs(approach) <= PLAIN_DOUBT * wide_magnitudes(*direction));
     }
     if (ANY(TO_MASK(doubt)))
-        plane_hit_accurate(&hit, &plane, face_row(g, face), origin, direction, active);
+        plane_hit_accurate(&hit, &plane, face_row(world, face), origin, direction, active);
     return hit;
 }
 
 /* The same for rays that have one origin. */
-static PlaneHit plane_hit_from_point(const Geometry *g, int face, const WideVec *origin, const WideVec *direction, WideMask active)
+static PlaneHit plane_hit_from_point(const World *world, int face, const WideVec *origin, const WideVec *direction,
+                                     WideMask active)
 {
     if (PLAIN_IS_POOR)
-        return plane_hit(g, face, origin, direction, active);
-    PlaneRow plane = plane_row(g, face);
-    global const real *row = face_row(g, face);
+        return plane_hit(world, face, origin, direction, active);
+    PlaneRow plane = plane_row(world, face);
+    global const real *row = face_row(world, face);
     wide x = first_wide(origin->x) - row[0], y = first_wide(origin->y) - row[4], z = first_wide(origin->z) - row[8];
     wide distance = plane.x * x + plane.y * y + plane.z * z;
     Wide approach = normal_dot(&plane, *direction);
     if (fabs(distance) <= PLAIN_DOUBT * (fabs(x) + fabs(y) + fabs(z)) ||
         ANY(TO_MASK(active & IS(fabs(approach) <= PLAIN_DOUBT * wide_magnitudes(*direction)))))
-        return plane_hit(g, face, origin, direction, active);
+        return plane_hit(world, face, origin, direction, active);
     PlaneHit hit = {(Wide)distance, -distance / approach};
     return hit;
 }

@@ -1,6 +1,7 @@
 /* The two questions that a ray asks a scene: which face is nearest, and is anything between here and the light.
  * Here is what one face answers; in which order faces are asked is the business of walk.cl. Each question has two forms: one
  * for any rays, exact, and a fast one for rays from an apex, which leaves to the first what it is not sure of. */
+#include "packet/world.cl"
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
@@ -24,13 +25,14 @@ INLINE Hit no_hit(void)
 }
 
 /* t of each active ray in the face's plane, and the t nearest to it at which the ray is in the face's box. */
-INLINE PlaneHit hit_in_box(const Geometry *g, int i, const Ray *ray, WideMask active, Wide *t_in_box, WideMask *ahead)
+INLINE PlaneHit hit_in_box(const World *world, int i, const Ray *ray, WideMask active, Wide *t_in_box,
+                           WideMask *ahead)
 {
-    PlaneHit hit = plane_hit(g, i, &ray->origin, &ray->direction, active);
+    PlaneHit hit = plane_hit(world, i, &ray->origin, &ray->direction, active);
     *t_in_box = hit.t;
     *ahead = (WideMask)-1;
-    if (!face_is_flat(g, i)) {
-        Interval in_box = interval_in_box(g->faces + i, ray);
+    if (!face_is_flat(world, i)) {
+        Interval in_box = interval_in_box(world->faces + i, ray);
         *ahead = IS(in_box.enter <= in_box.leave);
         *t_in_box = *t_in_box < in_box.enter ? in_box.enter : *t_in_box;
         *t_in_box = *t_in_box > in_box.leave ? in_box.leave : *t_in_box;
@@ -39,15 +41,16 @@ INLINE PlaneHit hit_in_box(const Geometry *g, int i, const Ray *ray, WideMask ac
 }
 
 /* Asks face i in the active lanes; true if it is nearer in some lane. */
-NOINLINE bool intersect_nearest(const Geometry *g, const RealRay *real_ray, const Ray *ray, Mask active, int i, Hit *nearest)
+NOINLINE bool intersect_nearest(const World *world, const RealRay *real_ray, const Ray *ray, Mask active, int i,
+                                Hit *nearest)
 {
-    EdgeTest edges = test_edges(real_ray, face_row(g, i));
+    EdgeTest edges = test_edges(real_ray, face_row(world, i));
     edges.may &= active;
     if (!ANY(edges.may))
         return false;
     if (ANY(edges.may & ~edges.sure))
-        resolve_edges_exactly(&edges, face_row(g, i), ray, 0);
-    if (face_bits(face_row(g, i)) & FACE_BACK_OPEN) {
+        resolve_edges_exactly(&edges, face_row(world, i), ray, 0);
+    if (face_bits(face_row(world, i)) & FACE_BACK_OPEN) {
         edges.may &= ~edges.with_normal;
         if (!ANY(edges.may))
             return false;
@@ -55,10 +58,10 @@ NOINLINE bool intersect_nearest(const Geometry *g, const RealRay *real_ray, cons
 
     Wide t_in_box;
     WideMask ahead;
-    PlaneHit hit = hit_in_box(g, i, ray, TO_WIDE_MASK(edges.may), &t_in_box, &ahead);
+    PlaneHit hit = hit_in_box(world, i, ray, TO_WIDE_MASK(edges.may), &t_in_box, &ahead);
     /* The edges have told the sign of N.R. */
     ahead &= TO_WIDE_MASK(edges.with_normal) ? IS(hit.distance < (Wide)0) : IS(hit.distance > (Wide)0);
-    Mask index = (Mask)g->faces[i].index;
+    Mask index = (Mask)world->faces[i].index;
     WideMask first = IS(t_in_box == nearest->t_in_box) & TO_WIDE_MASK(IS(index < nearest->index));
     WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(hit.t <= (Wide)WIDE_MAX) &
                       (IS(t_in_box < nearest->t_in_box) | first);
@@ -73,23 +76,23 @@ NOINLINE bool intersect_nearest(const Geometry *g, const RealRay *real_ray, cons
 
 /* Asks face i; the active lanes whose segment, from `point` to `target`, it blocks. The line is told the other way round: it
  * starts at the target. */
-NOINLINE Mask intersect_segment(const Geometry *g, const WideVec *point, const wide *target, Mask active, int i)
+NOINLINE Mask intersect_segment(const World *world, const WideVec *point, const wide *target, Mask active, int i)
 {
     WideVec end = wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]);
     Ray ray = {*point, wide_sub(end, *point)};
     RealRay l = real_ray(vec_to_real(end), vec_to_real(wide_sub(*point, end)));
-    EdgeTest edges = test_edges(&l, face_row(g, i));
+    EdgeTest edges = test_edges(&l, face_row(world, i));
     edges.may &= active;
     if (ANY(edges.may & ~edges.sure))
-        resolve_edges_exactly(&edges, face_row(g, i), &ray, target);
-    PlaneRow plane = plane_row(g, i);
-    wide end_side = plane_distance_of_point(g, i, target);
-    Wide start = plane_distance(g, i, &plane, *point, TO_WIDE_MASK(edges.may));
+        resolve_edges_exactly(&edges, face_row(world, i), &ray, target);
+    PlaneRow plane = plane_row(world, i);
+    wide end_side = plane_distance_of_point(world, i, target);
+    Wide start = plane_distance(world, i, &plane, *point, TO_WIDE_MASK(edges.may));
     WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
-    bool open = face_bits(face_row(g, i)) & FACE_BACK_OPEN;
+    bool open = face_bits(face_row(world, i)) & FACE_BACK_OPEN;
     WideMask between = end_side < 0 ? before : end_side > 0 && !open ? behind : (WideMask)0;
-    if (!face_is_flat(g, i)) {
-        Interval in_box = interval_in_box(g->faces + i, &ray);
+    if (!face_is_flat(world, i)) {
+        Interval in_box = interval_in_box(world->faces + i, &ray);
         between &= IS(in_box.enter <= in_box.leave) & IS(in_box.enter <= (Wide)1);
     }
     return edges.may & TO_MASK(between);
@@ -112,7 +115,7 @@ INLINE Nearest nothing_yet(void)
 }
 
 /* What is known of the nearest faces, exactly, in the active lanes; -1 elsewhere. */
-static Hit exact_hit(const Geometry *g, const Ray *ray, const Nearest *nearest, Mask active)
+static Hit exact_hit(const World *world, const Ray *ray, const Nearest *nearest, Mask active)
 {
     Hit hit = no_hit();
     for (Mask rest = active & IS(nearest->face >= (Mask)0); ANY(rest);) {
@@ -121,22 +124,22 @@ static Hit exact_hit(const Geometry *g, const Ray *ray, const Nearest *nearest, 
         rest &= ~here;
         WideMask wide_here = TO_WIDE_MASK(here), ahead;
         Wide t_in_box;
-        PlaneHit at = hit_in_box(g, face, ray, wide_here, &t_in_box, &ahead);
+        PlaneHit at = hit_in_box(world, face, ray, wide_here, &t_in_box, &ahead);
         hit.t = wide_here ? at.t : hit.t;
         hit.t_in_box = wide_here ? t_in_box : hit.t_in_box;
         hit.face = here ? (Mask)face : hit.face;
-        hit.index = here ? (Mask)g->faces[face].index : hit.index;
+        hit.index = here ? (Mask)world->faces[face].index : hit.index;
         hit.with_normal = here ? nearest->with_normal : hit.with_normal;
     }
     return hit;
 }
 
 /* Asks face i exactly in the lanes in doubt; true if it is nearer in some. */
-NOINLINE bool resolve_nearest_exactly(const Geometry *g, const Ray *ray, Mask doubt, int i, Nearest *nearest)
+NOINLINE bool resolve_nearest_exactly(const World *world, const Ray *ray, Mask doubt, int i, Nearest *nearest)
 {
     RealRay l = real_ray(vec_to_real(ray->origin), vec_to_real(ray->direction));
-    Hit hit = exact_hit(g, ray, nearest, doubt);
-    if (!intersect_nearest(g, &l, ray, doubt, i, &hit))
+    Hit hit = exact_hit(world, ray, nearest, doubt);
+    if (!intersect_nearest(world, &l, ray, doubt, i, &hit))
         return false;
     Mask take = doubt & IS(hit.face == (Mask)i);
     Lanes inverse = 1 / (TO_REAL(hit.t_in_box) + nearest->begin);
@@ -149,11 +152,11 @@ NOINLINE bool resolve_nearest_exactly(const Geometry *g, const Ray *ray, Mask do
 
 /* Of the lanes, those in which the ray passes so near to an edge of face i, or meets its plane so near to the nearest face, that
  * rounding might put the point on the other side. */
-NOINLINE Mask near_tie(const Geometry *g, const Ray *ray, Mask lanes, int i, const Nearest *nearest)
+NOINLINE Mask near_tie(const World *world, const Ray *ray, Mask lanes, int i, const Nearest *nearest)
 {
 #if REAL_DOUBLE || HAS_DOUBLE
     const wide share = 0x1p-26f; /* rounding in `wide` is far below it */
-    global const real *row = face_row(g, i);
+    global const real *row = face_row(world, i);
     Wide largest = fabs(ray->direction.x);
     largest = GREATER(largest, fabs(ray->direction.y));
     largest = GREATER(largest, fabs(ray->direction.z));
@@ -167,8 +170,8 @@ NOINLINE Mask near_tie(const Geometry *g, const Ray *ray, Mask lanes, int i, con
         WideVec c = wide_vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
         near |= ~IS(fabs(wide_dot(ray->direction, c)) > bound);
     }
-    Wide t = plane_hit(g, i, &ray->origin, &ray->direction, TO_WIDE_MASK(lanes)).t;
-    Wide best = exact_hit(g, ray, nearest, lanes).t;
+    Wide t = plane_hit(world, i, &ray->origin, &ray->direction, TO_WIDE_MASK(lanes)).t;
+    Wide best = exact_hit(world, ray, nearest, lanes).t;
     near |= ~IS(fabs(t - best) > share * fabs(t));
     return lanes & TO_MASK(near);
 #else
@@ -178,8 +181,8 @@ NOINLINE Mask near_tie(const Geometry *g, const Ray *ray, Mask lanes, int i, con
 
 /* Asks face i; true if it is nearer in some lane. Comparisons are such that NaN, from overflow, is a doubt. close: collects the
  * lanes in which rounding decides, or might make the back of a closed box as near as its front. */
-INLINE bool intersect_nearest_from(const Geometry *g, const OriginPacket *p, const Ray *ray, const FaceSetup *f, int i, Nearest *nearest,
-                             Mask *close)
+INLINE bool intersect_nearest_from(const World *world, const OriginPacket *p, const Ray *ray, const FaceSetup *f,
+                                   int i, Nearest *nearest, Mask *close)
 {
     Lanes edge = least_edge(p->ahead, f);
     Mask may = p->active & ~IS(edge < (Lanes)-f->edge_error) & IS(p->left != (Mask)i);
@@ -192,18 +195,18 @@ INLINE bool intersect_nearest_from(const Geometry *g, const OriginPacket *p, con
     Mask take = may & IS(edge > (Lanes)f->edge_error) & IS(low > nearest->high) & IS(high < nearest->limit);
     Mask doubt = may & ~take;
     if (ANY(doubt | grazing))
-        *close |= near_tie(g, ray, doubt | grazing, i, nearest);
+        *close |= near_tie(world, ray, doubt | grazing, i, nearest);
     nearest->low = take ? low : nearest->low;
     nearest->high = take ? high : nearest->high;
     nearest->face = take ? (Mask)i : nearest->face;
     nearest->with_normal = take ? (Mask)(f->with_normal ? -1 : 0) : nearest->with_normal;
     bool nearer = ANY(take);
     if (nearer) {
-        fetch(g->faces + i, sizeof(FaceRecord));
-        fetch(g->planes + (size_t)i * PLANE_REALS, PLANE_REALS * sizeof(wide));
+        fetch(world->faces + i, sizeof(FaceRecord));
+        fetch(world->planes + (size_t)i * PLANE_REALS, PLANE_REALS * sizeof(wide));
     }
     if (ANY(doubt))
-        nearer |= resolve_nearest_exactly(g, ray, doubt, i, nearest);
+        nearer |= resolve_nearest_exactly(world, ray, doubt, i, nearest);
     return nearer;
 }
 

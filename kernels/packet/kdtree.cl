@@ -4,7 +4,7 @@
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/ray_bounds.cl"
 
@@ -58,24 +58,24 @@ INLINE Part above_plane(Slab s, real plane, Part part)
 }
 
 /* The part in the box of the whole tree. */
-INLINE Part part_in_tree(const Tree *tree, const RayBounds *b)
+INLINE Part part_in_tree(const World *world, const RayBounds *b)
 {
     Part part = {0, b->reach};
     for (int axis = 0; axis < 3; axis++) {
-        part = above_plane(b->slabs[axis], tree->floats[2 * axis], part);
-        part = below_plane(b->slabs[axis], tree->floats[2 * axis + 1], part);
+        part = above_plane(b->slabs[axis], world->tree_floats[2 * axis], part);
+        part = below_plane(b->slabs[axis], world->tree_floats[2 * axis + 1], part);
     }
     return part;
 }
 
 /* Does the bundle miss all that is in the tree? */
-INLINE bool misses_all(const Tree *tree, const RayBounds *b) { return part_is_empty(b, part_in_tree(tree, b)); }
+INLINE bool misses_all(const World *world, const RayBounds *b) { return part_is_empty(b, part_in_tree(world, b)); }
 
-INLINE Stack stack_of(const Tree *tree, const RayBounds *b)
+INLINE Stack stack_of(const World *world, const RayBounds *b)
 {
     Stack stack;
     stack.count = 0;
-    stack_push(&stack, 0, part_in_tree(tree, b));
+    stack_push(&stack, 0, part_in_tree(world, b));
     return stack;
 }
 
@@ -91,28 +91,27 @@ INLINE void forget_distances(Stack *stack)
     }
 }
 
-INLINE int face_in_leaf(const Tree *tree, int i) { return tree->ints[tree->ints[0] + i]; }
+INLINE int face_in_leaf(const World *world, int i) { return world->tree_ints[world->tree_ints[0] + i]; }
 
 /* The next leaf that the bundle meets, nearest first: its faces are those of first .. first + count - 1. False: there is
  * none. */
-INLINE bool next_leaf(const Geometry *g, const Tree *tree, const RayBounds *b, uint rays, Stack *stack, int *first, int *count,
-                      Counters *counters)
+INLINE bool next_leaf(const World *world, const RayBounds *b, uint rays, Stack *stack, int *first, int *count)
 {
     while (stack->count > 0) {
         stack->count--;
         int node = stack->node[stack->count];
         Part part = {stack->enter[stack->count], stack->leave[stack->count]};
-        counters->kinds[COUNT_BOX_TESTS]++;
+        world->counters[COUNT_BOX_TESTS]++;
         if (part_is_empty(b, part))
             continue;
-        global const int *ints = tree->ints + 1 + (size_t)node * KD_INTS;
+        global const int *ints = world->tree_ints + 1 + (size_t)node * KD_INTS;
         int axis = ints[KD_AXIS];
         if (axis == KD_LEAF) {
             *first = ints[KD_FIRST];
             *count = ints[KD_COUNT];
             return true;
         }
-        real plane = tree->floats[6 + node];
+        real plane = world->tree_floats[6 + node];
         Slab s = b->slabs[axis];
         Part low = below_plane(s, plane, part), high = above_plane(s, plane, part);
         int below = node + 1, above = ints[KD_FIRST];

@@ -5,7 +5,7 @@
 #include "packet/apex.cl"
 #include "packet/intersect.cl"
 #include "packet/points.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/tree.cl"
 #include "packet/search.cl"
@@ -36,8 +36,8 @@ INLINE void trail_add(Trail *trails, int p, Mask faces, Mask active) {}
 #endif
 
 /* The nearest faces of rays that come from images of the eye: those that share one are searched together. */
-INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *paths, const Ray *rays, real length, const Traversal *left,
-                           OriginPacket *pencils, Nearest *nearest, Mask *close, Counters *counters)
+INLINE void find_reflected(const World *world, const Path *paths, const Ray *rays, real length, const Traversal *left,
+                           OriginPacket *pencils, Nearest *nearest, Mask *close)
 {
     Mask rest[PACKETS];
     EACH_PACKET(p)
@@ -74,15 +74,15 @@ INLINE void find_reflected(const Geometry *g, const Tree *tree, const Path *path
         }
         Apex a = apex_at(image, -lanes_lowest(-spread), length);
         RayBounds all = bounds_from(&a, pencils, PACKETS, 0);
-        find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, left, false, close, counters);
+        find_nearest_from(world, &a, pencils, rays, nearest, &all, left, false, close);
     }
     EACH_PACKET(p)
         close[p] = (Mask)-1; /* what is left out is proved for rays from the eye only */
 }
 
 /* The nearest faces of all paths; first from the eye, then from its images. left: what is left to be asked, or NULL: all. */
-INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, const RayBounds *seen, const Path *paths,
-                         const Ray *rays, bool from_eye, const Traversal *left, Nearest *nearest, Mask *close, Counters *counters)
+INLINE void find_nearest(const World *world, const Apex *eye, const RayBounds *seen, const Path *paths,
+                         const Ray *rays, bool from_eye, const Traversal *left, Nearest *nearest, Mask *close)
 {
     OriginPacket pencils[PACKETS];
     EACH_PACKET(p) {
@@ -95,10 +95,10 @@ INLINE void find_nearest(const Geometry *g, const Tree *tree, const Apex *eye, c
         pencils[p].ahead = vec_to_real(rays[p].direction);
     }
     if (from_eye) {
-        find_nearest_from(g, tree, eye, pencils, rays, nearest, seen, left, true, close, counters);
+        find_nearest_from(world, eye, pencils, rays, nearest, seen, left, true, close);
     } else {
         real length = (PLAIN_IS_POOR ? 1 : eye->length) * (1 + 4 * REAL_ROUNDING);
-        find_reflected(g, tree, paths, rays, length, left, pencils, nearest, close, counters);
+        find_reflected(world, paths, rays, length, left, pencils, nearest, close);
     }
 }
 
@@ -116,15 +116,15 @@ INLINE void begin_paths(Path *paths, const Ray *rays)
 /* Adds to each path's total its hits' illuminations, each weighted by the mirrors before it. The rays have been mirrored so
  * many times as `bounces` says; those from the eye, an apex, are the bundle `seen`. left: of the first search, as
  * find_nearest. trails: one per packet, or NULL. */
-TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, const Apex *apex, const RayBounds *seen, int bounces,
-                       Path *paths, Ray *rays, const Traversal *left, Trail *trails, Counters *counters)
+TRACE void trace_paths(const World *world, const wide *eye, const Apex *apex, const RayBounds *seen, int bounces,
+                       Path *paths, Ray *rays, const Traversal *left, Trail *trails)
 {
-    constant const Parameters *parameters = s->parameters;
-    Vec background = vec_row(s->view + VIEW_BACKGROUND);
+    constant const Parameters *parameters = world->parameters;
+    Vec background = vec_row(world->view + VIEW_BACKGROUND);
     for (;; bounces++, left = 0) {
         Nearest nearest[PACKETS];
         Mask close[PACKETS];
-        find_nearest(g, s->tree, apex, seen, paths, rays, bounces == 0, left, nearest, close, counters);
+        find_nearest(world, apex, seen, paths, rays, bounces == 0, left, nearest, close);
 
         Surface surfaces[PACKETS];
         ApproxPoint approx[PACKETS];
@@ -132,7 +132,7 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, con
         Mask active[PACKETS], lit[PACKETS];
         const wide *one_apex = bounces == 0 ? eye : 0;
         LazyPoints points;
-        begin_points(&points, g, rays, nearest, active, bounces == 0);
+        begin_points(world, &points, rays, nearest, active, bounces == 0);
         EACH_PACKET(p) {
             Path *path = paths + p;
             trail_add(trails, p, nearest[p].face, path->active);
@@ -143,12 +143,12 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, con
             if (!ANY(path->active))
                 continue;
             Vec ahead = vec_to_real(rays[p].direction);
-            find_surface(g, s, nearest + p, path->active, ahead, one_apex, &path->apex, surfaces + p, approx + p);
-            v[p] = look_back(s, eye, approx + p, ahead, bounces == 0, from_apexes(eye, one_apex, &path->apex), &points, p);
+            find_surface(world, nearest + p, path->active, ahead, one_apex, &path->apex, surfaces + p, approx + p);
+            v[p] = look_back(world, eye, approx + p, ahead, bounces == 0, from_apexes(eye, one_apex, &path->apex), &points, p);
         }
         if (!any_packet(active))
             return;
-        shade(g, s, surfaces, approx, one_apex, paths, &points, close, v, active, illumination, lit, counters);
+        shade(world, surfaces, approx, one_apex, paths, &points, close, v, active, illumination, lit);
 
         EACH_PACKET(p) {
             Path *path = paths + p;
@@ -160,7 +160,7 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, con
             if (!parameters->shadow_ambient)
                 path->active &= lit[p];
             path->active &= IS(surfaces[p].reflection > (Lanes)0);
-            drop_weak(s, path, surfaces[p].reflection, counters);
+            drop_weak(world, path, surfaces[p].reflection);
             active[p] = path->active;
         }
         if (bounces == parameters->max_bounces || !any_packet(active))
@@ -170,7 +170,7 @@ TRACE void trace_paths(const Geometry *g, const Shading *s, const wide *eye, con
             const Surface *surface = surfaces + p;
             if (!ANY(path->active))
                 continue;
-            counters->kinds[COUNT_REFLECTION] += mask_count(path->active);
+            world->counters[COUNT_REFLECTION] += mask_count(path->active);
             reflect(&points, p, path->active, rays + p, &path->apex);
             path->weight = path->weight * surface->reflection;
             path->left = surface->face;

@@ -1,14 +1,16 @@
 /* Where rays meet their nearest faces, and the points shifted off them, in `wide`. A point is told when it is asked for: most
  * points serve shading alone, for which shade.cl has a sketch. */
+#include "packet/world.cl"
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
 #include "packet/intersect.cl"
 
 /* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */
-static WideVec point_shifted(const Geometry *g, int face, const PlaneRow *plane, WideVec n, WideMask with_normal, WideVec point)
+static WideVec point_shifted(const World *world, int face, const PlaneRow *plane, WideVec n, WideMask with_normal,
+                             WideVec point)
 {
-    global const real *row = face_row(g, face);
+    global const real *row = face_row(world, face);
     Wide height, doubt;
     if (PLAIN_IS_POOR) {
         WidePairs x = from_vertex_exactly(row, point);
@@ -26,16 +28,16 @@ static WideVec point_shifted(const Geometry *g, int face, const PlaneRow *plane,
 }
 
 /* Where the rays meet the face. */
-INLINE WideVec point_on(const Geometry *g, const Ray *ray, bool from_eye, int face, Mask here)
+INLINE WideVec point_on(const World *world, const Ray *ray, bool from_eye, int face, Mask here)
 {
     WideMask wide_here = TO_WIDE_MASK(here);
-    Wide t = from_eye ? plane_hit_from_point(g, face, &ray->origin, &ray->direction, wide_here).t
-                      : plane_hit(g, face, &ray->origin, &ray->direction, wide_here).t;
+    Wide t = from_eye ? plane_hit_from_point(world, face, &ray->origin, &ray->direction, wide_here).t
+                      : plane_hit(world, face, &ray->origin, &ray->direction, wide_here).t;
     return wide_add(ray->origin, wide_scale(t, ray->direction));
 }
 
 typedef struct LazyPoints {
-    const Geometry *g;
+    const World *world;
     const Ray *rays;
     const Nearest *nearest;
     const Mask *active;
@@ -44,9 +46,10 @@ typedef struct LazyPoints {
     WideVec point[PACKETS], shifted[PACKETS];
 } LazyPoints;
 
-INLINE void begin_points(LazyPoints *points, const Geometry *g, const Ray *rays, const Nearest *nearest, const Mask *active, bool from_eye)
+INLINE void begin_points(const World *world, LazyPoints *points, const Ray *rays, const Nearest *nearest,
+                         const Mask *active, bool from_eye)
 {
-    points->g = g;
+    points->world = world;
     points->rays = rays;
     points->nearest = nearest;
     points->active = active;
@@ -58,7 +61,7 @@ INLINE void begin_points(LazyPoints *points, const Geometry *g, const Ray *rays,
 /* Tells the points of those lanes of packet p, and of all active ones that meet the same faces, if they are not told yet. */
 NOINLINE void need_points(LazyPoints *points, int p, Mask lanes)
 {
-    const Geometry *g = points->g;
+    const World *world = points->world;
     const Nearest *nearest = points->nearest + p;
     WideMask with_normal = TO_WIDE_MASK(nearest->with_normal);
     for (Mask rest = lanes & points->active[p] & ~points->ready[p]; ANY(rest);) {
@@ -67,11 +70,11 @@ NOINLINE void need_points(LazyPoints *points, int p, Mask lanes)
         bool first = !ANY(points->ready[p]);
         rest &= ~here;
         points->ready[p] |= here;
-        WideVec point = point_on(g, points->rays + p, points->from_eye, face, here);
-        PlaneRow plane = plane_row(g, face);
+        WideVec point = point_on(world, points->rays + p, points->from_eye, face, here);
+        PlaneRow plane = plane_row(world, face);
         WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
         WideVec turned = wide_select(with_normal, wide_vec(-normal.x, -normal.y, -normal.z), normal);
-        WideVec off = point_shifted(g, face, &plane, turned, with_normal, point);
+        WideVec off = point_shifted(world, face, &plane, turned, with_normal, point);
         if (first) { /* mostly there is one face */
             points->point[p] = point;
             points->shifted[p] = off;
@@ -90,14 +93,14 @@ INLINE const WideVec *shifted_point(LazyPoints *points, int p, Mask lanes)
 }
 
 /* N of each lane's face, on the side that the ray came from. */
-static WideVec wide_normal(const Geometry *g, const Nearest *nearest, Mask active)
+static WideVec wide_normal(const World *world, const Nearest *nearest, Mask active)
 {
     WideVec normal = wide_vec((Wide)0, (Wide)0, (Wide)0);
     for (Mask rest = active; ANY(rest);) {
         int face = first_of(nearest->face, rest);
         Mask here = rest & IS(nearest->face == (Mask)face);
         rest &= ~here;
-        global const wide *row = g->planes + (size_t)face * PLANE_REALS;
+        global const wide *row = world->planes + (size_t)face * PLANE_REALS;
         normal = wide_select(TO_WIDE_MASK(here), wide_vec((Wide)row[0], (Wide)row[1], (Wide)row[2]), normal);
     }
     return wide_select(TO_WIDE_MASK(nearest->with_normal), wide_vec(-normal.x, -normal.y, -normal.z), normal);
@@ -108,7 +111,7 @@ static WideVec wide_normal(const Geometry *g, const Nearest *nearest, Mask activ
 INLINE void reflect(LazyPoints *points, int p, Mask active, Ray *ray, WideVec *apex)
 {
     need_points(points, p, active);
-    WideVec r = PLAIN_IS_POOR ? wide_unit(ray->direction) : ray->direction, n = wide_normal(points->g, points->nearest + p, active);
+    WideVec r = PLAIN_IS_POOR ? wide_unit(ray->direction) : ray->direction, n = wide_normal(points->world, points->nearest + p, active);
     ray->direction = wide_sub(r, wide_scale(2 * wide_dot(r, n), n));
     ray->origin = points->shifted[p];
     *apex = wide_sub(*apex, wide_scale(2 * wide_dot(wide_sub(*apex, points->point[p]), n), n));

@@ -6,7 +6,7 @@
 #include "packet/apex.cl"
 #include "packet/intersect.cl"
 #include "packet/points.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/tree.cl"
 
@@ -41,18 +41,18 @@ typedef struct Traversal {
     int face;
 } Traversal;
 
-INLINE Traversal begin_traversal(const Tree *tree, const RayBounds *b)
+INLINE Traversal begin_traversal(const World *world, const RayBounds *b)
 {
-    Traversal rest = {stack_of(tree, b), -1};
+    Traversal rest = {stack_of(world, b), -1};
     return rest;
 }
 
 /* The nearest faces ahead of the active lanes of the pencils, which come from one apex, among the rest. False: after more than
  * `budget` faces it stopped; what it has not asked then is in `rest`. `outside`: as setup_face. close: collects the lanes that
  * might need what is left out. */
-INLINE bool traverse_nearest(const Geometry *g, const Tree *tree, const Apex *a, const OriginPacket *pencils, const Ray *rays,
-                         Nearest *nearest, RayBounds b, Traversal *rest, int packets, uint budget, bool cull_boxes, Mask *close,
-                         Counters *counters)
+INLINE bool traverse_nearest(const World *world, const Apex *a, const OriginPacket *pencils, const Ray *rays,
+                             Nearest *nearest, RayBounds b, Traversal *rest, int packets, uint budget,
+                             bool cull_boxes, Mask *close)
 {
     real reach[PACKETS];
     uint lanes = 0, asked = 0;
@@ -69,16 +69,16 @@ INLINE bool traverse_nearest(const Geometry *g, const Tree *tree, const Apex *a,
         bool single = rest->face >= 0;
         if (single)
             count = 1;
-        else if (!next_leaf(g, tree, &b, lanes, &rest->stack, &first, &count, counters))
+        else if (!next_leaf(world, &b, lanes, &rest->stack, &first, &count))
             break;
         asked += (uint)count;
         for (int k = 0; k < count; k++) {
-            int i = single ? rest->face : face_in_leaf(tree, first + k);
+            int i = single ? rest->face : face_in_leaf(world, first + k);
             FaceSetup face;
-            Visibility visibility = setup_face(a, g->edges + (size_t)i * FACE_REALS, false, cull_boxes, &face);
+            Visibility visibility = setup_face(a, world->edges + (size_t)i * FACE_REALS, false, cull_boxes, &face);
             if (visibility == CULLED) {
                 if (face.closed)
-                    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
+                    world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
                 continue;
             }
             real farthest_reach = 0;
@@ -88,8 +88,8 @@ INLINE bool traverse_nearest(const Geometry *g, const Tree *tree, const Apex *a,
                     if (visibility == UNCERTAIN)
                         close[p] |= pencil->active;
                     bool nearer = visibility == VISIBLE
-                                      ? intersect_nearest_from(g, pencil, rays + p, &face, i, nearest + p, close + p)
-                                      : resolve_nearest_exactly(g, rays + p, pencil->active & IS(pencil->left != (Mask)i), i, nearest + p);
+                                      ? intersect_nearest_from(world, pencil, rays + p, &face, i, nearest + p, close + p)
+                                      : resolve_nearest_exactly(world, rays + p, pencil->active & IS(pencil->left != (Mask)i), i, nearest + p);
                     if (nearer)
                         reach[p] = farthest(nearest + p, pencil->active);
                     farthest_reach = GREATER(farthest_reach, reach[p]);
@@ -99,33 +99,33 @@ INLINE bool traverse_nearest(const Geometry *g, const Tree *tree, const Apex *a,
         }
         rest->face = -1;
     }
-    counters->kinds[COUNT_FACE_TESTS] += lanes * asked;
+    world->counters[COUNT_FACE_TESTS] += lanes * asked;
     return asked <= budget;
 }
 
 /* The same for all packets among what is left, NULL: all; where together they meet too many faces, each goes on by itself.
  * Then all is asked anew for the lanes in which what was left out might matter, which `close` collects. all: the bundle of all
  * rays. What is active in the pencils does not stay. */
-INLINE void find_nearest_from(const Geometry *g, const Tree *tree, const Apex *a, OriginPacket *pencils, const Ray *rays,
-                              Nearest *nearest, const RayBounds *all, const Traversal *left, bool cull_boxes, Mask *close, Counters *counters)
+INLINE void find_nearest_from(const World *world, const Apex *a, OriginPacket *pencils, const Ray *rays,
+                              Nearest *nearest, const RayBounds *all, const Traversal *left, bool cull_boxes,
+                              Mask *close)
 {
     EACH_PACKET(p)
         close[p] = (Mask)0;
     int packets = PACKETS;
     uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
-    Traversal rest = left ? *left : begin_traversal(tree, all);
+    Traversal rest = left ? *left : begin_traversal(world, all);
     __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < PACKETS; p += packets) {
         RayBounds b = packets < PACKETS ? bounds_from(a, pencils + p, 1, 0) : *all;
         Traversal here = rest;
-        if (!traverse_nearest(g, tree, a, pencils + p, rays + p, nearest + p, b, &here, packets, budget, cull_boxes, close + p,
-                          counters)) {
+        if (!traverse_nearest(world, a, pencils + p, rays + p, nearest + p, b, &here, packets, budget, cull_boxes, close + p)) {
             rest = here;
             p = -1;
             packets = 1;
             budget = NO_BUDGET;
         } else if (cull_boxes && p + packets == PACKETS && any_packet(close)) {
             cull_boxes = false;
-            rest = begin_traversal(tree, all);
+            rest = begin_traversal(world, all);
             EACH_PACKET(k)
                 pencils[k].active = close[k];
             p = -packets;
@@ -169,24 +169,25 @@ INLINE RayBounds bounds_of_shadow_rays(const Apex *a, const OriginPacket *pencil
 /* blocked: collects the active lanes of the pencils whose segments from the point to the target, an apex, a face blocks,
  * strictly between the two, among the faces that `stack` leads to; they are active no more. False: after more than `budget`
  * faces it stopped; what it has not asked then is on the stack. */
-INLINE bool traverse_segments(const Geometry *g, const Tree *tree, const Apex *a, const wide *target, OriginPacket *pencils, LazyPoints *points,
-                         Mask *blocked, RayBounds b, Stack *stack, uint budget, bool cull_boxes, Counters *counters)
+INLINE bool traverse_segments(const World *world, const Apex *a, const wide *target, OriginPacket *pencils,
+                              LazyPoints *points, Mask *blocked, RayBounds b, Stack *stack, uint budget,
+                              bool cull_boxes)
 {
     uint asking[PACKETS], lanes = 0, asked = 0;
     EACH_PACKET(p)
         lanes += asking[p] = mask_count(pencils[p].active);
     if (cull_boxes)
         bounds_cull_sides(&b, true);
-    for (int first, count; asked <= budget && next_leaf(g, tree, &b, lanes, stack, &first, &count, counters);) {
+    for (int first, count; asked <= budget && next_leaf(world, &b, lanes, stack, &first, &count);) {
         asked += (uint)count;
         for (int k = first; k < first + count; k++) {
-            int i = face_in_leaf(tree, k);
-            counters->kinds[COUNT_FACE_TESTS] += lanes;
+            int i = face_in_leaf(world, k);
+            world->counters[COUNT_FACE_TESTS] += lanes;
             FaceSetup face;
-            Visibility visibility = setup_face(a, g->edges + (size_t)i * FACE_REALS, true, cull_boxes, &face);
+            Visibility visibility = setup_face(a, world->edges + (size_t)i * FACE_REALS, true, cull_boxes, &face);
             if (visibility == CULLED) {
                 if (face.closed)
-                    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
+                    world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes;
                 continue;
             }
             EACH_PACKET(p) {
@@ -197,7 +198,7 @@ INLINE bool traverse_segments(const Geometry *g, const Tree *tree, const Apex *a
                 if (visibility == VISIBLE)
                     hit = intersect_segment_from(pencil, &face, i, &doubt);
                 if (ANY(doubt))
-                    hit |= intersect_segment(g, shifted_point(points, p, doubt), target, doubt, i);
+                    hit |= intersect_segment(world, shifted_point(points, p, doubt), target, doubt, i);
                 if (ANY(hit)) {
                     blocked[p] |= hit;
                     pencil->active &= ~hit;
@@ -215,8 +216,8 @@ INLINE bool traverse_segments(const Geometry *g, const Tree *tree, const Apex *a
 /* The same for the lanes `asking`, in groups of like directions: one that meets many faces is cut, and its parts go on where
  * it stopped. Those that are `close` come last, and all faces are asked for them. all: leads to what may block any of them, or
  * NULL: the root does. */
-NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *target, OriginPacket *pencils, LazyPoints *points,
-                           const Mask *close, const Mask *asking, const Stack *all, Mask *blocked, Counters *counters)
+NOINLINE void find_blocked(const World *world, const wide *target, OriginPacket *pencils, LazyPoints *points,
+                           const Mask *close, const Mask *asking, const Stack *all, Mask *blocked)
 {
     Apex a = apex_at(target, 0, 1 + 4 * REAL_ROUNDING);
     Mask rest[NEAR_LEVELS][PACKETS]; /* level by level: first all, then those of the group above that has been cut */
@@ -248,9 +249,9 @@ NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *targ
             pencils[p].active = group[p];
         }
         RayBounds b = bounds_of_shadow_rays(&a, pencils);
-        Stack stack = level > 0 ? stacks[level - 1] : all ? *all : stack_of(tree, &b);
+        Stack stack = level > 0 ? stacks[level - 1] : all ? *all : stack_of(world, &b);
         uint budget = level + 1 < NEAR_LEVELS ? BLOCKED_BUDGET : NO_BUDGET;
-        if (!traverse_segments(g, tree, &a, target, pencils, points, blocked, b, &stack, budget, cull_boxes, counters)) {
+        if (!traverse_segments(world, &a, target, pencils, points, blocked, b, &stack, budget, cull_boxes)) {
             stacks[level++] = stack;
             near *= NEAR_LESS;
             EACH_PACKET(p)
@@ -260,18 +261,18 @@ NOINLINE void find_blocked(const Geometry *g, const Tree *tree, const wide *targ
 }
 
 /* The nearest faces ahead of one packet of any rays, exactly. */
-static Hit find_nearest_apart(const Geometry *g, const Tree *tree, const Ray *ray, Mask active, Counters *counters)
+static Hit find_nearest_apart(const World *world, const Ray *ray, Mask active)
 {
     RealRay l = real_ray(vec_to_real(ray->origin), vec_to_real(ray->direction));
     Hit nearest = no_hit();
     uint lanes = mask_count(active);
     RayBounds b = bounds_of(&l, active);
-    Stack stack = stack_of(tree, &b);
-    for (int first, count; next_leaf(g, tree, &b, lanes, &stack, &first, &count, counters);) {
+    Stack stack = stack_of(world, &b);
+    for (int first, count; next_leaf(world, &b, lanes, &stack, &first, &count);) {
         bool nearer = false;
         for (int k = first; k < first + count; k++)
-            nearer |= intersect_nearest(g, &l, ray, active, face_in_leaf(tree, k), &nearest);
-        counters->kinds[COUNT_FACE_TESTS] += lanes * (uint)count;
+            nearer |= intersect_nearest(world, &l, ray, active, face_in_leaf(world, k), &nearest);
+        world->counters[COUNT_FACE_TESTS] += lanes * (uint)count;
         if (nearer) {
             Lanes t = TO_REAL(nearest.t_in_box < (Wide)REACH_ALL ? nearest.t_in_box : (Wide)REACH_ALL) * l.scale;
             bounds_shorten(&b, -lanes_lowest(active ? -t : (Lanes)0));
@@ -288,7 +289,7 @@ static Mask same_origin(const Ray *ray)
 }
 
 /* The same for rays that all start at one point. */
-static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray *ray, Mask active, Counters *counters)
+static Hit find_nearest_of_pencil(const World *world, const Ray *ray, Mask active)
 {
     OriginPacket pencils[PACKETS];
     Nearest nearest[PACKETS];
@@ -305,6 +306,6 @@ static Hit find_nearest_of_pencil(const Geometry *g, const Tree *tree, const Ray
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
     Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_magnitudes(direction) : (Lanes)0));
     RayBounds all = bounds_from(&a, pencils, PACKETS, 0);
-    find_nearest_from(g, tree, &a, pencils, rays, nearest, &all, 0, false, close, counters);
-    return exact_hit(g, ray, nearest, active);
+    find_nearest_from(world, &a, pencils, rays, nearest, &all, 0, false, close);
+    return exact_hit(world, ray, nearest, active);
 }

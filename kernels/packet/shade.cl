@@ -7,7 +7,7 @@
 #include "packet/apex.cl"
 #include "packet/intersect.cl"
 #include "packet/points.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/search.cl"
 #include "packet/power.cl"
@@ -28,12 +28,6 @@ typedef struct Path {
     Lanes weight;
 } Path;
 
-typedef struct Shading {
-    global const real *materials, *lights, *view;
-    constant const Parameters *parameters;
-    const Tree *tree;
-} Shading;
-
 /* Where rays meet their faces as float can tell it: from their apex, so that it does not matter how far from 0 the scene lies.
  * It serves shading, and shadow rays, where its error is a small enough share of the distance to the light and to the viewer. */
 #define HAS_APPROX (!PLAIN_IS_POOR)
@@ -46,23 +40,23 @@ typedef struct ApproxPoint {
 } ApproxPoint;
 
 /* N.(v0 - A), t's numerator, which has no error worth mentioning; of a face seen from one apex, and from each lane's. */
-INLINE real approx_height(const Geometry *g, int face, const wide *apex)
+INLINE real approx_height(const World *world, int face, const wide *apex)
 {
-    global const wide *n = g->planes + (size_t)face * PLANE_REALS;
-    global const real *v = face_row(g, face) + FACE_VERTICES;
+    global const wide *n = world->planes + (size_t)face * PLANE_REALS;
+    global const real *v = face_row(world, face) + FACE_VERTICES;
     return (real)(n[0] * (v[0] - apex[0]) + n[1] * (v[4] - apex[1]) + n[2] * (v[8] - apex[2]));
 }
 
-INLINE Lanes approx_heights(const Geometry *g, int face, WideVec apex)
+INLINE Lanes approx_heights(const World *world, int face, WideVec apex)
 {
-    global const wide *n = g->planes + (size_t)face * PLANE_REALS;
-    global const real *v = face_row(g, face) + FACE_VERTICES;
+    global const wide *n = world->planes + (size_t)face * PLANE_REALS;
+    global const real *v = face_row(world, face) + FACE_VERTICES;
     return TO_REAL(n[0] * ((wide)v[0] - apex.x) + n[1] * ((wide)v[4] - apex.y) + n[2] * ((wide)v[8] - apex.z));
 }
 
-INLINE real vertex_magnitudes(const Geometry *g, int face)
+INLINE real vertex_magnitudes(const World *world, int face)
 {
-    global const real *v = face_row(g, face) + FACE_VERTICES;
+    global const real *v = face_row(world, face) + FACE_VERTICES;
     return fabs(v[0]) + fabs(v[4]) + fabs(v[8]);
 }
 
@@ -88,29 +82,29 @@ INLINE ApproxPoint approx_point(Vec ahead, Lanes height, Lanes off, Vec normal)
 #define APPROX_OFF(magnitudes) ((real)0x1p-41f * (magnitudes) + (real)0x1p-52f)
 
 /* What the rays' nearest faces are made of, and the sketch of their points. apex: of all rays, or NULL: then of each. */
-INLINE void find_surface(const Geometry *g, const Shading *s, const Nearest *nearest, Mask active, Vec ahead, const wide *apex,
+INLINE void find_surface(const World *world, const Nearest *nearest, Mask active, Vec ahead, const wide *apex,
                          const WideVec *apexes, Surface *surface, ApproxPoint *approx)
 {
     Mask faces = nearest->face;
     surface->face = faces;
     surface->with_normal = nearest->with_normal;
     surface->only = first_of(faces, active);
-    surface->only_material = face_material(g, surface->only);
+    surface->only_material = face_material(world, surface->only);
     Lanes height = (Lanes)0, off = (Lanes)0, apart = (Lanes)0;
     if (HAS_APPROX)
         apart = apex ? (Lanes)(real)(fabs(apex[0]) + fabs(apex[1]) + fabs(apex[2])) : TO_REAL(wide_magnitudes(*apexes));
     bool first = true;
     for (Mask rest = active; ANY(rest); first = false) {
-        int face = first ? surface->only : first_of(faces, rest), material = face_material(g, face);
+        int face = first ? surface->only : first_of(faces, rest), material = face_material(world, face);
         Mask here = rest & IS(faces == (Mask)face);
         rest &= ~here;
-        global const wide *plane = g->planes + (size_t)face * PLANE_REALS;
+        global const wide *plane = world->planes + (size_t)face * PLANE_REALS;
         Vec normal = vec((Lanes)(real)plane[0], (Lanes)(real)plane[1], (Lanes)(real)plane[2]);
-        Lanes reflection = (Lanes)s->materials[(size_t)material * MATERIAL_REALS + MATERIAL_REFLECTION];
+        Lanes reflection = (Lanes)world->materials[(size_t)material * MATERIAL_REALS + MATERIAL_REFLECTION];
         Lanes its_height = (Lanes)0, its_off = (Lanes)0;
         if (HAS_APPROX) {
-            its_height = apex ? (Lanes)approx_height(g, face, apex) : approx_heights(g, face, *apexes);
-            its_off = APPROX_OFF(apart + vertex_magnitudes(g, face));
+            its_height = apex ? (Lanes)approx_height(world, face, apex) : approx_heights(world, face, *apexes);
+            its_off = APPROX_OFF(apart + vertex_magnitudes(world, face));
         }
         if (first) { /* mostly there is one face */
             surface->normal = normal;
@@ -152,26 +146,26 @@ typedef struct LightSide {
     wide distance;
 } LightSide;
 
-INLINE Mask turned_to_light(const Geometry *g, const Surface *surface, int face, const wide *light, LightSide *side)
+INLINE Mask turned_to_light(const World *world, const Surface *surface, int face, const wide *light, LightSide *side)
 {
     if (face != side->face) {
         side->face = face;
-        side->distance = plane_distance_of_point(g, face, light);
+        side->distance = plane_distance_of_point(world, face, light);
     }
     return side->distance > 0 ? ~surface->with_normal : side->distance < 0 ? surface->with_normal : (Mask)0;
 }
 
 /* The lanes whose surface faces the light: N.L > 0, decided per face by the side of its plane that the light is on. */
-static Mask faces_light(const Geometry *g, const Surface *surface, const wide *light, Mask active, LightSide *side)
+static Mask faces_light(const World *world, const Surface *surface, const wide *light, Mask active, LightSide *side)
 {
     if (surface->only >= 0)
-        return active & turned_to_light(g, surface, surface->only, light, side);
+        return active & turned_to_light(world, surface, surface->only, light, side);
     Mask facing = (Mask)0;
     for (Mask rest = active; ANY(rest);) {
         int face = first_of(surface->face, rest);
         Mask here = rest & IS(surface->face == (Mask)face);
         rest &= ~here;
-        facing |= here & turned_to_light(g, surface, face, light, side);
+        facing |= here & turned_to_light(world, surface, face, light, side);
     }
     return facing;
 }
@@ -194,14 +188,14 @@ INLINE Lanes highlight_of(Vec l, Vec v, Vec normal, real exponent)
     return power(at_least_zero(vec_dot(normal, vec_unit(vec_add(l, v)))), exponent);
 }
 
-INLINE bool makes_highlight(const Shading *s, real3 colour)
+INLINE bool makes_highlight(const World *world, real3 colour)
 {
-    return !MAY_SKIP(s->parameters, SKIP_HIGHLIGHT) || colour.x != 0 || colour.y != 0 || colour.z != 0;
+    return !MAY_SKIP(world->parameters, SKIP_HIGHLIGHT) || colour.x != 0 || colour.y != 0 || colour.z != 0;
 }
 
 /* Ambient everywhere, the other two where the light reaches. The lanes of a packet mostly have one material. */
-INLINE Vec illuminate(const Shading *s, const Surface *surface, global const real *light, Vec l, Vec v, Mask counted, Mask reaches,
-                      Counters *counters)
+INLINE Vec illuminate(const World *world, const Surface *surface, global const real *light, Vec l, Vec v,
+                      Mask counted, Mask reaches)
 {
     Lanes diffuse = diffuse_of(l, surface->normal);
     Vec colour = vec(0, 0, 0);
@@ -209,16 +203,16 @@ INLINE Vec illuminate(const Shading *s, const Surface *surface, global const rea
         int number = surface->only_material >= 0 ? surface->only_material : first_of(surface->material, rest);
         Mask here = rest & IS(surface->material == (Mask)number), lit = here & reaches;
         rest &= ~here;
-        global const real *material = s->materials + (size_t)number * MATERIAL_REALS;
+        global const real *material = world->materials + (size_t)number * MATERIAL_REALS;
         real3 ambient = coloured(material + MATERIAL_AMBIENT, light + LIGHT_AMBIENT);
         Vec sum = vec((Lanes)ambient.x, (Lanes)ambient.y, (Lanes)ambient.z);
         if (ANY(lit)) {
             Vec all = vec_add(sum, scale_colour(diffuse, coloured(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE)));
             real3 shine = coloured(material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
-            if (makes_highlight(s, shine))
+            if (makes_highlight(world, shine))
                 all = vec_add(all, scale_colour(highlight_of(l, v, surface->normal, material[MATERIAL_EXPONENT]), shine));
             else
-                counters->kinds[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(lit);
+                world->counters[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(lit);
             sum = vec_select(lit, all, sum);
         }
         colour = vec_select(here, sum, colour);
@@ -233,12 +227,12 @@ INLINE void light_position(global const real *light, wide *position)
 }
 
 /* Does it matter what a light reaches? Not if it has an ambient colour only, which counts in its shadow, too. */
-INLINE bool wants_light(const Shading *s, global const real *light)
+INLINE bool wants_light(const World *world, global const real *light)
 {
     bool only_ambient = true;
     for (int i = 0; i < 3; i++)
         only_ambient &= light[LIGHT_DIFFUSE + i] == 0 && light[LIGHT_SPECULAR + i] == 0;
-    return !(MAY_SKIP(s->parameters, SKIP_LIGHT_AMBIENT) && s->parameters->shadow_ambient && only_ambient);
+    return !(MAY_SKIP(world->parameters, SKIP_LIGHT_AMBIENT) && world->parameters->shadow_ambient && only_ambient);
 }
 
 /* A place as it is told from the apex of each lane's ray. */
@@ -262,10 +256,10 @@ INLINE void aim_shadow_rays(OriginPacket *pencil, const wide *light, const Appro
 }
 
 /* The unit vectors to the viewer: back along the ray, or from the point to the eye. */
-INLINE Vec look_back(const Shading *s, const wide *eye, const ApproxPoint *approx, Vec ahead, bool from_eye, Vec eye_from_apex,
-                     LazyPoints *points, int p)
+INLINE Vec look_back(const World *world, const wide *eye, const ApproxPoint *approx, Vec ahead, bool from_eye,
+                     Vec eye_from_apex, LazyPoints *points, int p)
 {
-    bool along_ray = s->parameters->viewer_ray || (from_eye && HAS_APPROX);
+    bool along_ray = world->parameters->viewer_ray || (from_eye && HAS_APPROX);
     Vec unit;
     Lanes per_length, share;
     if (HAS_APPROX && along_ray)
@@ -279,20 +273,20 @@ INLINE Vec look_back(const Shading *s, const wide *eye, const ApproxPoint *appro
 
 /* colours: the illumination of the active lanes by all lights; `lit` collects the lanes that some light reaches.
  * close: the lanes whose points rounding may have put into a closed box. apex: of all rays, or NULL: then of each. */
-INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, const ApproxPoint *approx, const wide *apex,
-                  const Path *paths, LazyPoints *points, const Mask *close, const Vec *v, const Mask *active, Vec *colours, Mask *lit,
-                  Counters *counters)
+INLINE void shade(const World *world, const Surface *surfaces, const ApproxPoint *approx, const wide *apex,
+                  const Path *paths, LazyPoints *points, const Mask *close, const Vec *v, const Mask *active,
+                  Vec *colours, Mask *lit)
 {
     EACH_PACKET(p) {
         colours[p] = vec(0, 0, 0);
         lit[p] = (Mask)0;
     }
-    for (int i = 0; i < s->parameters->light_count; i++) {
-        global const real *light = s->lights + i * LIGHT_REALS;
+    for (int i = 0; i < world->parameters->light_count; i++) {
+        global const real *light = world->lights + i * LIGHT_REALS;
         wide position[3];
         light_position(light, position);
         LightSide side = {-1, 0};
-        bool only_ambient = !wants_light(s, light);
+        bool only_ambient = !wants_light(world, light);
         OriginPacket pencils[PACKETS];
         Mask facing[PACKETS], asking[PACKETS], blocked[PACKETS];
         EACH_PACKET(p) {
@@ -300,25 +294,25 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
             pencils[p] = no_origin_packet();
             if (!ANY(active[p]))
                 continue;
-            facing[p] = faces_light(g, surfaces + p, position, active[p], &side);
+            facing[p] = faces_light(world, surfaces + p, position, active[p], &side);
             asking[p] = facing[p];
             if (only_ambient)
-                counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += mask_count(facing[p]);
-            if (MAY_SKIP(s->parameters, SKIP_LIGHT_BEHIND))
-                counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += mask_count(active[p] & ~facing[p]);
+                world->counters[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += mask_count(facing[p]);
+            if (MAY_SKIP(world->parameters, SKIP_LIGHT_BEHIND))
+                world->counters[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += mask_count(active[p] & ~facing[p]);
             else
                 asking[p] = active[p];
             if (only_ambient)
                 asking[p] = facing[p] = (Mask)0;
-            counters->kinds[COUNT_SHADOW] += mask_count(asking[p]);
+            world->counters[COUNT_SHADOW] += mask_count(asking[p]);
             pencils[p].left = surfaces[p].face;
             aim_shadow_rays(pencils + p, position, approx + p, from_apexes(position, apex, &paths[p].apex), points, p);
         }
-        find_blocked(g, s->tree, position, pencils, points, close, asking, 0, blocked, counters);
+        find_blocked(world, position, pencils, points, close, asking, 0, blocked);
         EACH_PACKET(p) {
             Mask reaches = facing[p] & ~blocked[p];
             lit[p] |= reaches;
-            Mask counted = s->parameters->shadow_ambient ? active[p] : reaches;
+            Mask counted = world->parameters->shadow_ambient ? active[p] : reaches;
             if (!ANY(counted))
                 continue;
             /* To a float, the shift is nothing. */
@@ -327,7 +321,7 @@ INLINE void shade(const Geometry *g, const Shading *s, const Surface *surfaces, 
                 WideVec at = wide_vec((Wide)position[0], (Wide)position[1], (Wide)position[2]);
                 l = vec_unit(vec_to_real(wide_sub(at, points->point[p])));
             }
-            Vec sum = illuminate(s, surfaces + p, light, l, v[p], counted, reaches, counters);
+            Vec sum = illuminate(world, surfaces + p, light, l, v[p], counted, reaches);
             colours[p] = vec_add(colours[p], sum);
         }
     }
@@ -343,14 +337,14 @@ INLINE IntLanes colour_to_byte(Lanes c)
 
 /* The lanes all of whose further hits together could not change a byte of the picture: those whose bytes are the same with the
  * most that can come, at that weight. That is known where a path is its pixel's only one. */
-INLINE Mask too_weak(const Shading *s, Vec total, Lanes weight)
+INLINE Mask too_weak(const World *world, Vec total, Lanes weight)
 {
 #if defined(LINEAR) || ADAPTIVE
     return (Mask)0;
 #else
-    if (!MAY_SKIP(s->parameters, SKIP_WEAK_BOUNCE) || s->parameters->grid > 1)
+    if (!MAY_SKIP(world->parameters, SKIP_WEAK_BOUNCE) || world->parameters->grid > 1)
         return (Mask)0;
-    Lanes most = weight * (Lanes)s->view[VIEW_BRIGHTEST];
+    Lanes most = weight * (Lanes)world->view[VIEW_BRIGHTEST];
     const real rounded = 1 + 256 * REAL_ROUNDING; /* no sum of up to PATH_MAX terms is rounded up by more */
     IntLanes red = IS(colour_to_byte(total.x) == colour_to_byte((total.x + most) * rounded));
     IntLanes green = IS(colour_to_byte(total.y) == colour_to_byte((total.y + most) * rounded));
@@ -360,11 +354,11 @@ INLINE Mask too_weak(const Shading *s, Vec total, Lanes weight)
 }
 
 /* Ends such paths. reflection: of the faces they are at. */
-INLINE void drop_weak(const Shading *s, Path *path, Lanes reflection, Counters *counters)
+INLINE void drop_weak(const World *world, Path *path, Lanes reflection)
 {
     if (!ANY(path->active))
         return;
-    Mask weak = path->active & too_weak(s, path->total, path->weight * reflection);
-    counters->kinds[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += mask_count(weak);
+    Mask weak = path->active & too_weak(world, path->total, path->weight * reflection);
+    world->counters[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += mask_count(weak);
     path->active &= ~weak;
 }

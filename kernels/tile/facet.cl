@@ -4,7 +4,7 @@
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/shade.cl"
 #include "packet/camera.cl"
 #include "tile/frustum.cl"
@@ -35,22 +35,22 @@ typedef struct Facet {
 } Facet;
 
 /* camera: its image after so many bounces. The lights are still to be added. */
-INLINE void facet_of(const Geometry *g, const Shading *s, const CoveringFace *w, const Camera *camera, int bounces, Facet *f)
+INLINE void facet_of(const World *world, const CoveringFace *w, const Camera *camera, int bounces, Facet *f)
 {
     f->face = w->face;
     if (w->face < 0)
         return;
-    global const wide *plane = g->planes + (size_t)w->face * PLANE_REALS;
+    global const wide *plane = world->planes + (size_t)w->face * PLANE_REALS;
     f->camera = *camera;
     for (int axis = 0; axis < 3; axis++) {
         f->normal[axis] = (real)plane[axis];
-        f->eye[axis] = (real)(view_value(s, VIEW_EYE + axis) - camera->eye[axis]);
+        f->eye[axis] = (real)(view_value(world, VIEW_EYE + axis) - camera->eye[axis]);
     }
     f->sign = w->with_normal ? -1 : 1;
-    f->height = approx_height(g, w->face, camera->eye);
-    f->off = patch_off(g, w->face, camera);
-    f->along_ray = s->parameters->viewer_ray || bounces == 0;
-    f->material = s->materials + (size_t)face_material(g, w->face) * MATERIAL_REALS;
+    f->height = approx_height(world, w->face, camera->eye);
+    f->off = patch_off(world, w->face, camera);
+    f->along_ray = world->parameters->viewer_ray || bounces == 0;
+    f->material = world->materials + (size_t)face_material(world, w->face) * MATERIAL_REALS;
     f->reflection = f->material[MATERIAL_REFLECTION];
     f->exponent = f->material[MATERIAL_EXPONENT];
     f->asked = f->behind = f->ambient_only = f->dull = 0;
@@ -58,20 +58,21 @@ INLINE void facet_of(const Geometry *g, const Shading *s, const CoveringFace *w,
 }
 
 /* Is a light to be asked for shadows on a face that is turned to it, or not? */
-INLINE bool asks_light(const Shading *s, global const real *light, bool facing)
+INLINE bool asks_light(const World *world, global const real *light, bool facing)
 {
-    return wants_light(s, light) && (facing || !MAY_SKIP(s->parameters, SKIP_LIGHT_BEHIND));
+    return wants_light(world, light) && (facing || !MAY_SKIP(world->parameters, SKIP_LIGHT_BEHIND));
 }
 
 /* shade: how much of the facet lies in the light's shadow. blocked: where that is PARTLY_SHADOWED. */
-INLINE void facet_add_light(const Shading *s, global const real *light, bool facing, ShadowClass shade, const Mask *blocked, Facet *f)
+INLINE void facet_add_light(const World *world, global const real *light, bool facing, ShadowClass shade,
+                            const Mask *blocked, Facet *f)
 {
-    f->behind += !facing && MAY_SKIP(s->parameters, SKIP_LIGHT_BEHIND);
-    f->ambient_only += facing && !wants_light(s, light);
-    f->asked += asks_light(s, light, facing);
+    f->behind += !facing && MAY_SKIP(world->parameters, SKIP_LIGHT_BEHIND);
+    f->ambient_only += facing && !wants_light(world, light);
+    f->asked += asks_light(world, light, facing);
     if (!facing)
         shade = SHADOWED;
-    if (shade == SHADOWED && !s->parameters->shadow_ambient)
+    if (shade == SHADOWED && !world->parameters->shadow_ambient)
         return;
     FacetLight *l = f->lights + f->light_count++;
     wide position[3];
@@ -82,21 +83,21 @@ INLINE void facet_add_light(const Shading *s, global const real *light, bool fac
     l->diffuse = coloured(f->material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE);
     l->specular = coloured(f->material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
     l->reaches = shade != SHADOWED;
-    l->shines = makes_highlight(s, l->specular);
+    l->shines = makes_highlight(world, l->specular);
     l->blocked = shade == PARTLY_SHADOWED ? blocked : 0;
     f->dull += shade == LIT && !l->shines;
 }
 
 /* Rays of a tile came to the facet. */
-INLINE void count_facet(const Facet *f, uint rays, Counters *counters)
+INLINE void count_facet(const World *world, const Facet *f, uint rays)
 {
-    counters->kinds[COUNT_SKIPPED + SKIP_WHOLE_TILE] += rays;
+    world->counters[COUNT_SKIPPED + SKIP_WHOLE_TILE] += rays;
     if (f->face < 0)
         return;
-    counters->kinds[COUNT_SHADOW] += rays * f->asked;
-    counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += rays * f->behind;
-    counters->kinds[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += rays * f->ambient_only;
-    counters->kinds[COUNT_SKIPPED + SKIP_HIGHLIGHT] += rays * f->dull;
+    world->counters[COUNT_SHADOW] += rays * f->asked;
+    world->counters[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += rays * f->behind;
+    world->counters[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += rays * f->ambient_only;
+    world->counters[COUNT_SKIPPED + SKIP_HIGHLIGHT] += rays * f->dull;
 }
 
 INLINE Vec vec_of(const real *v) { return vec((Lanes)v[0], (Lanes)v[1], (Lanes)v[2]); }
@@ -110,7 +111,8 @@ INLINE ApproxPoint approx_on_facet(const Facet *f, const ScreenPlaces *places, i
 
 /* Adds the light that packet p's part of the facet sends, as `shade` has it, to `colour`, and the lanes that some light reaches to
  * `lit`. False: a sketch is too rough. */
-INLINE bool shade_facet(const Shading *s, const Facet *f, const ScreenPlaces *places, int p, Mask active, Vec *colour, Mask *lit)
+INLINE bool shade_facet(const World *world, const Facet *f, const ScreenPlaces *places, int p, Mask active,
+                        Vec *colour, Mask *lit)
 {
     Vec ahead, l;
     ApproxPoint approx = approx_on_facet(f, places, p, &ahead);
@@ -131,7 +133,7 @@ INLINE bool shade_facet(const Shading *s, const Facet *f, const ScreenPlaces *pl
             *lit |= reaches;
         }
         if (light->blocked)
-            sum = vec_select(reaches, sum, s->parameters->shadow_ambient ? ambient : vec(0, 0, 0));
+            sum = vec_select(reaches, sum, world->parameters->shadow_ambient ? ambient : vec(0, 0, 0));
         *colour = vec_add(*colour, sum);
     }
     return true;

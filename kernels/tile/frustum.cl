@@ -6,7 +6,7 @@
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
 #include "packet/apex.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/tree.cl"
 #include "packet/search.cl"
@@ -70,13 +70,13 @@ typedef struct CoveringFace {
 
 /* Finds it among the rest. False: they may see several; the rest is then what has not been ruled out. from: the mirror that
  * the rays come from, -1: they come from the eye. */
-INLINE bool find_covering_face(const Geometry *g, const Tree *tree, const Apex *a, const Frustum *c, int from, uint lanes, CoveringFace *w,
-                       Traversal *rest, Counters *counters)
+INLINE bool find_covering_face(const World *world, const Apex *a, const Frustum *c, int from, uint lanes,
+                               CoveringFace *w, Traversal *rest)
 {
     real4 begin_low = (real4)INFINITY, begin_high = begin_low;
     FaceSetup face;
     if (from >= 0) {
-        if (setup_face(a, face_row(g, from), true, false, &face) != VISIBLE)
+        if (setup_face(a, face_row(world, from), true, false, &face) != VISIBLE)
             return false;
         real4 begin = frustum_depths(&face, c);
         begin_low = begin - face.depth_error;
@@ -94,16 +94,16 @@ INLINE bool find_covering_face(const Geometry *g, const Tree *tree, const Apex *
     for (int first, count; !stopped; known = -1) {
         if (known >= 0)
             count = 1;
-        else if (!next_leaf(g, tree, &b, lanes, &rest->stack, &first, &count, counters))
+        else if (!next_leaf(world, &b, lanes, &rest->stack, &first, &count))
             break;
         uint backs_here = 0;
         stopped = asked + (uint)count > COVERING_BUDGET;
         for (int k = 0; k < count && !stopped; k++) {
-            int i = known >= 0 ? known : face_in_leaf(tree, first + k);
+            int i = known >= 0 ? known : face_in_leaf(world, first + k);
             if (i == from || i == w->face)
                 continue;
             asked++;
-            Visibility visibility = setup_face(a, face_row(g, i), false, from < 0, &face);
+            Visibility visibility = setup_face(a, face_row(world, i), false, from < 0, &face);
             if (visibility == CULLED) {
                 backs_here += face.closed;
                 continue;
@@ -137,8 +137,8 @@ INLINE bool find_covering_face(const Geometry *g, const Tree *tree, const Apex *
         else
             push_back(&rest->stack);
     }
-    counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
-    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes * backs;
+    world->counters[COUNT_FACE_TESTS] += 4 * asked;
+    world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes * backs;
     return !stopped;
 }
 
@@ -146,28 +146,28 @@ typedef enum ShadowClass { LIT, PARTLY_SHADOWED, SHADOWED } ShadowClass;
 
 /* How much of the part of a face between the corners lies in the shadow of a light, the apex. c: from the light to the
  * corners; no ray ends farther than `spread` from where it says. PARTLY_SHADOWED: what may block them is left on the stack. */
-INLINE ShadowClass classify_shadow(const Geometry *g, const Tree *tree, const Apex *light, const Frustum *c, real spread, int from,
-                        bool cull_boxes, uint lanes, Stack *stack, Counters *counters)
+INLINE ShadowClass classify_shadow(const World *world, const Apex *light, const Frustum *c, real spread, int from,
+                                   bool cull_boxes, uint lanes, Stack *stack)
 {
     RayBounds b = bounds_of_frustum(light, c, spread);
     bounds_shorten(&b, 1 + 4 * REAL_ROUNDING);
     if (cull_boxes)
         bounds_cull_sides(&b, true);
-    *stack = stack_of(tree, &b);
+    *stack = stack_of(world, &b);
     real doubt = DOUBT_OF(spread / light->length);
     uint asked = 0, backs = 0;
     ShadowClass shade = LIT;
-    for (int first, count; shade == LIT && next_leaf(g, tree, &b, lanes, stack, &first, &count, counters);) {
+    for (int first, count; shade == LIT && next_leaf(world, &b, lanes, stack, &first, &count);) {
         uint backs_here = 0;
         if (asked + (uint)count > COVERING_BUDGET)
             shade = PARTLY_SHADOWED;
         for (int k = first; k < first + count && shade == LIT; k++) {
-            int i = face_in_leaf(tree, k);
+            int i = face_in_leaf(world, k);
             if (i == from)
                 continue;
             asked++;
             FaceSetup face;
-            Visibility visibility = setup_face(light, face_row(g, i), true, cull_boxes, &face);
+            Visibility visibility = setup_face(light, face_row(world, i), true, cull_boxes, &face);
             if (visibility == CULLED) {
                 backs_here += face.closed;
                 continue;
@@ -193,7 +193,7 @@ INLINE ShadowClass classify_shadow(const Geometry *g, const Tree *tree, const Ap
     }
     if (shade == PARTLY_SHADOWED)
         forget_distances(stack); /* those were shares of the rays' lengths */
-    counters->kinds[COUNT_FACE_TESTS] += 4 * asked;
-    counters->kinds[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes * backs;
+    world->counters[COUNT_FACE_TESTS] += 4 * asked;
+    world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] += lanes * backs;
     return shade;
 }

@@ -4,7 +4,7 @@
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
 #include "packet/apex.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/accel.cl"
 #include "packet/tree.cl"
 #include "packet/search.cl"
@@ -16,25 +16,24 @@
 #include "tile/classify.cl"
 #include "tile/uniform_block.cl"
 #include "tile/uniform_tile.cl"
-#include "packet/scene.cl"
 
 /* What rays see that miss all faces. */
-INLINE void see_background(const Shading *s, const Mask *inside, Vec *sum, Counters *counters)
+INLINE void see_background(const World *world, const Mask *inside, Vec *sum)
 {
-    Vec background = vec_row(s->view + VIEW_BACKGROUND);
+    Vec background = vec_row(world->view + VIEW_BACKGROUND);
     EACH_PACKET(k) {
         uint rays = mask_count(inside[k]);
         sum[k] = vec_add(sum[k], background);
-        counters->kinds[COUNT_PRIMARY] += rays;
-        counters->kinds[COUNT_SKIPPED + SKIP_EMPTY_TILE] += rays;
+        world->counters[COUNT_PRIMARY] += rays;
+        world->counters[COUNT_SKIPPED + SKIP_EMPTY_TILE] += rays;
     }
 }
 
 /* An area that misses all faces. */
-INLINE void render_background(const Shading *s, const Area *area, uint rays, global uchar *rgb, Counters *counters)
+INLINE void render_background(const World *world, const Area *area, uint rays, global uchar *rgb)
 {
-    constant const Parameters *p = s->parameters;
-    Vec background = vec_row(s->view + VIEW_BACKGROUND), sum = vec(0, 0, 0);
+    constant const Parameters *p = world->parameters;
+    Vec background = vec_row(world->view + VIEW_BACKGROUND), sum = vec(0, 0, 0);
     int samples = p->grid * p->grid;
     for (int i = 0; i < samples; i++)
         sum = vec_add(sum, background);
@@ -42,15 +41,15 @@ INLINE void render_background(const Shading *s, const Area *area, uint rays, glo
     for (int row = 0; row < area->rows; row += PACKET_ROWS)
         for (int column = 0; column < area->columns; column += PACKET_COLUMNS)
             store_packet(rgb, p, area->column + column, area->row + row, mean);
-    counters->kinds[COUNT_PRIMARY] += rays;
-    counters->kinds[COUNT_SKIPPED + SKIP_EMPTY_TILE] += rays;
+    world->counters[COUNT_PRIMARY] += rays;
+    world->counters[COUNT_SKIPPED + SKIP_EMPTY_TILE] += rays;
 }
 
 /* The tile that begins there; rgb: band_rows * columns * 3 bytes. */
-INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Classification *classification,
-                        int first_column, int first_row, global uchar *rgb, Counters *counters)
+INLINE void render_tile(const World *world, const Apex *apex, const Camera *camera,
+                        const Classification *classification, int first_column, int first_row, global uchar *rgb)
 {
-    constant const Parameters *p = s->parameters;
+    constant const Parameters *p = world->parameters;
     Mask inside[PACKETS];
     Vec sum[PACKETS];
     EACH_PACKET(k) {
@@ -59,13 +58,13 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
     }
     for (int j = 0; j < p->grid; j++)
         for (int i = 0; i < p->grid; i++) {
-            ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
+            ScreenPlaces places = screen_places(world, first_column, p->first_row + first_row, i, j);
             Window window = window_of_tile(p, &places, first_column, first_row);
             Frustum corners = camera_frustum(camera, &window);
             if (MAY_SKIP(p, SKIP_EMPTY_TILE) && !has_first_hit(classification)) {
                 RayBounds seen = bounds_of_frustum(apex, &corners, 0);
-                if (misses_all(s->tree, &seen)) {
-                    see_background(s, inside, sum, counters);
+                if (misses_all(world, &seen)) {
+                    see_background(world, inside, sum);
                     continue;
                 }
             }
@@ -73,12 +72,12 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
             Ray rays[PACKETS];
             EACH_PACKET(k) {
                 paths[k].active = inside[k];
-                counters->kinds[COUNT_PRIMARY] += mask_count(inside[k]);
+                world->counters[COUNT_PRIMARY] += mask_count(inside[k]);
             }
             int bounces = 0;
 #if CLASSIFIES_TILES
             Traversal rest;
-            bool done = trace_uniform_tile(g, s, &places, &window, classification, paths, rays, &bounces, &rest, counters);
+            bool done = trace_uniform_tile(world, &places, &window, classification, paths, rays, &bounces, &rest);
             const Traversal *left = &rest;
 #else
             EACH_PACKET(k) {
@@ -91,7 +90,7 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
 #endif
             if (!done) {
                 RayBounds seen = bounds_of_frustum(apex, &corners, 0);
-                trace_paths(g, s, camera->eye, apex, &seen, bounces, paths, rays, left, 0, counters);
+                trace_paths(world, camera->eye, apex, &seen, bounces, paths, rays, left, 0);
             }
             EACH_PACKET(k)
                 sum[k] = vec_add(sum[k], paths[k].total);
@@ -103,24 +102,24 @@ INLINE void render_tile(const Geometry *g, const Shading *s, const Apex *apex, c
 typedef enum TileClass { TILE_MIXED, TILE_UNIFORM, TILE_EMPTY } TileClass;
 
 /* parent: as classify_window. outlook: filled but where it is empty, told: where all is told. */
-INLINE TileClass classify_area(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, const Area *area,
-                           uint rays, const Classification *parent, Classification *classification, UniformBlock *told, Counters *counters)
+INLINE TileClass classify_area(const World *world, const Apex *apex, const Camera *camera, const Area *area,
+                               uint rays, const Classification *parent, Classification *classification,
+                               UniformBlock *told)
 {
-    Window window = window_of_area(s, area);
+    Window window = window_of_area(world, area);
     Frustum corners = camera_frustum(camera, &window);
     RayBounds seen = bounds_of_frustum(apex, &corners, 0);
-    bool may_be_empty = MAY_SKIP(s->parameters, SKIP_EMPTY_TILE) && !(parent && has_first_hit(parent));
-    if (may_be_empty && misses_all(s->tree, &seen))
+    bool may_be_empty = MAY_SKIP(world->parameters, SKIP_EMPTY_TILE) && !(parent && has_first_hit(parent));
+    if (may_be_empty && misses_all(world, &seen))
         return TILE_EMPTY;
-    return classify_window(g, s, &window, rays, parent, classification, counters) && make_uniform_block(g, s, classification, told) ? TILE_UNIFORM : TILE_MIXED;
+    return classify_window(world, &window, rays, parent, classification) && make_uniform_block(world, classification, told) ? TILE_UNIFORM : TILE_MIXED;
 }
 
 /* Renders a block of tiles: at once if its corners tell all, or else quarter by quarter, and a quarter whose corners do not tell
  * all tile by tile. */
-INLINE void render_block(const Geometry *g, const Shading *s, const Apex *apex, const Camera *camera, int block, global uchar *rgb,
-                         Counters *counters)
+INLINE void render_block(const World *world, const Apex *apex, const Camera *camera, int block, global uchar *rgb)
 {
-    constant const Parameters *p = s->parameters;
+    constant const Parameters *p = world->parameters;
     Classification classifications[2]; /* the block's, its quarter's */
     UniformBlock told;
     for (int k = 0; k < BLOCK_AREAS; k++) {
@@ -131,17 +130,17 @@ INLINE void render_block(const Geometry *g, const Shading *s, const Apex *apex, 
         Classification *classification = classifications + (k > 0);
         TileClass tile_class = TILE_MIXED;
         if (BLOCK_AREAS > 1) {
-            tile_class = classify_area(g, s, apex, camera, &area, rays, k > 0 ? classifications : 0, classification, &told, counters);
+            tile_class = classify_area(world, apex, camera, &area, rays, k > 0 ? classifications : 0, classification, &told);
             if (k == 0 && tile_class == TILE_MIXED)
                 continue;
         }
         if (tile_class == TILE_EMPTY)
-            render_background(s, &area, rays, rgb, counters);
+            render_background(world, &area, rays, rgb);
         else
             for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
                 for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
-                    if (tile_class != TILE_UNIFORM || !render_uniform_tile(s, &told, column, row, rgb, counters))
-                        render_tile(g, s, apex, camera, classification, column, row, rgb, counters);
+                    if (tile_class != TILE_UNIFORM || !render_uniform_tile(world, &told, column, row, rgb))
+                        render_tile(world, apex, camera, classification, column, row, rgb);
         if (k == 0)
             return;
     }
@@ -153,12 +152,10 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
                    global const real *view, global uchar *rgb, volatile global uint *totals,
                    global const float *tree_floats, global const int *tree_ints)
 {
-    Geometry g = {faces, edges, planes, parameters->face_count};
-    Tree tree = {tree_floats, tree_ints};
-    Shading s = {materials, lights, view, parameters, &tree};
-    Counters counters = {{0}};
-    Apex apex = apex_at_eye(&s);
-    Camera camera = camera_of(&s);
-    render_block(&g, &s, &apex, &camera, (int)get_global_id(0), rgb, &counters);
-    add_counters(totals, &counters);
+    uint counters[COUNTER_KINDS] = {0};
+    World world = {parameters, faces, edges, planes, parameters->face_count, materials, lights, view, tree_floats, tree_ints, counters};
+    Apex apex = apex_at_eye(&world);
+    Camera camera = camera_of(&world);
+    render_block(&world, &apex, &camera, (int)get_global_id(0), rgb);
+    add_counters(totals, &world);
 }

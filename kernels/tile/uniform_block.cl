@@ -4,7 +4,7 @@
 #include "shared/layout.h"
 #include "packet/lanes.cl"
 #include "packet/geometry.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/shade.cl"
 #include "packet/camera.cl"
 #include "packet/picture.cl"
@@ -16,8 +16,8 @@
 
 typedef int UniformBlock;
 
-INLINE bool make_uniform_block(const Geometry *g, const Shading *s, const Classification *o, UniformBlock *told) { return false; }
-INLINE bool render_uniform_tile(const Shading *s, const UniformBlock *told, int column, int row, global uchar *rgb, Counters *counters)
+INLINE bool make_uniform_block(const World *world, const Classification *o, UniformBlock *told) { return false; }
+INLINE bool render_uniform_tile(const World *world, const UniformBlock *told, int column, int row, global uchar *rgb)
 {
     return false;
 }
@@ -31,30 +31,30 @@ typedef struct UniformBlock {
 } UniformBlock;
 
 /* False: not all is told. */
-NOINLINE bool make_uniform_block(const Geometry *g, const Shading *s, const Classification *o, UniformBlock *told)
+NOINLINE bool make_uniform_block(const World *world, const Classification *o, UniformBlock *told)
 {
-    constant const Parameters *parameters = s->parameters;
-    Camera camera = camera_of(s);
+    constant const Parameters *parameters = world->parameters;
+    Camera camera = camera_of(world);
     for (int bounce = 0; bounce < o->bounces; bounce++) {
         Facet *f = told->facets + bounce;
         told->count = bounce + 1;
-        facet_of(g, s, o->faces + bounce, &camera, bounce, f);
+        facet_of(world, o->faces + bounce, &camera, bounce, f);
         if (f->face < 0)
             return true;
         if (parameters->light_count > CLASSIFIED_LIGHTS)
             return false;
         bool lit = parameters->shadow_ambient;
         for (int i = 0; i < parameters->light_count; i++) {
-            global const real *light = s->lights + i * LIGHT_REALS;
+            global const real *light = world->lights + i * LIGHT_REALS;
             bool facing = o->facing[bounce] >> i & 1, clear = o->clear[bounce] >> i & 1, dark = o->dark[bounce] >> i & 1;
-            if (asks_light(s, light, facing) && !clear && !dark)
+            if (asks_light(world, light, facing) && !clear && !dark)
                 return false;
-            facet_add_light(s, light, facing, clear ? LIT : SHADOWED, 0, f);
+            facet_add_light(world, light, facing, clear ? LIT : SHADOWED, 0, f);
             lit |= clear;
         }
         if (f->reflection == 0 || bounce == parameters->max_bounces || !lit)
             return true;
-        camera = camera_in_mirror(g, f->face, &camera);
+        camera = camera_in_mirror(world, f->face, &camera);
     }
     return false;
 }
@@ -65,23 +65,23 @@ typedef struct UniformCounts {
 } UniformCounts;
 
 /* Follows a packet's rays. False: a sketch is too rough. */
-INLINE bool shade_uniform_packet(const Shading *s, const UniformBlock *told, const ScreenPlaces *places, int p, Mask active, Vec *total,
-                       UniformCounts *counts)
+INLINE bool shade_uniform_packet(const World *world, const UniformBlock *told, const ScreenPlaces *places, int p,
+                                 Mask active, Vec *total, UniformCounts *counts)
 {
     real weight = 1;
     *total = vec(0, 0, 0);
     for (int bounce = 0;; bounce++) {
         const Facet *f = told->facets + bounce;
         counts->rays[bounce] += mask_count(active);
-        Vec colour = f->face < 0 ? vec_row(s->view + VIEW_BACKGROUND) : vec(0, 0, 0);
+        Vec colour = f->face < 0 ? vec_row(world->view + VIEW_BACKGROUND) : vec(0, 0, 0);
         Mask lit = (Mask)0;
-        if (f->face >= 0 && !shade_facet(s, f, places, p, active, &colour, &lit))
+        if (f->face >= 0 && !shade_facet(world, f, places, p, active, &colour, &lit))
             return false;
         *total = vec_select(active, vec_add(*total, vec_scale((Lanes)weight, colour)), *total);
         if (bounce + 1 == told->count)
             return true;
         weight *= f->reflection;
-        Mask weak = active & too_weak(s, *total, (Lanes)weight);
+        Mask weak = active & too_weak(world, *total, (Lanes)weight);
         counts->weak += mask_count(weak);
         active &= ~weak;
         if (!ANY(active))
@@ -90,33 +90,33 @@ INLINE bool shade_uniform_packet(const Shading *s, const UniformBlock *told, con
 }
 
 /* Renders a tile of such a block; rgb: as render_tile. False: a sketch is too rough, and nothing is done. */
-NOINLINE bool render_uniform_tile(const Shading *s, const UniformBlock *told, int first_column, int first_row, global uchar *rgb,
-                          Counters *counters)
+NOINLINE bool render_uniform_tile(const World *world, const UniformBlock *told, int first_column, int first_row,
+                                  global uchar *rgb)
 {
-    constant const Parameters *p = s->parameters;
+    constant const Parameters *p = world->parameters;
     Vec sum[PACKETS];
     EACH_PACKET(k)
         sum[k] = vec(0, 0, 0);
     UniformCounts counts = {{0}, 0};
     for (int j = 0; j < p->grid; j++)
         for (int i = 0; i < p->grid; i++) {
-            ScreenPlaces places = screen_places(s, first_column, p->first_row + first_row, i, j);
+            ScreenPlaces places = screen_places(world, first_column, p->first_row + first_row, i, j);
             EACH_PACKET(k) {
                 Mask inside = pixels_inside(p, first_column, first_row, k);
                 Vec total;
                 if (!ANY(inside))
                     continue;
-                if (!shade_uniform_packet(s, told, &places, k, inside, &total, &counts))
+                if (!shade_uniform_packet(world, told, &places, k, inside, &total, &counts))
                     return false;
                 sum[k] = vec_add(sum[k], total);
             }
         }
     store_tile(p, first_column, first_row, sum, rgb);
-    counters->kinds[COUNT_PRIMARY] += counts.rays[0];
-    counters->kinds[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += counts.weak;
+    world->counters[COUNT_PRIMARY] += counts.rays[0];
+    world->counters[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += counts.weak;
     for (int bounce = 0; bounce < told->count; bounce++) {
-        counters->kinds[COUNT_REFLECTION] += bounce > 0 ? counts.rays[bounce] : 0;
-        count_facet(told->facets + bounce, counts.rays[bounce], counters);
+        world->counters[COUNT_REFLECTION] += bounce > 0 ? counts.rays[bounce] : 0;
+        count_facet(world, told->facets + bounce, counts.rays[bounce]);
     }
     return true;
 }

@@ -9,7 +9,7 @@
 #include "packet/apex.cl"
 #include "packet/intersect.cl"
 #include "packet/points.cl"
-#include "packet/counters.cl"
+#include "packet/world.cl"
 #include "packet/tree.cl"
 #include "packet/search.cl"
 #include "packet/shade.cl"
@@ -33,9 +33,9 @@ typedef struct MirrorChain {
 } MirrorChain;
 
 /* The exact rays of a tile after its mirrors. */
-NOINLINE void rays_after_mirrors(const Geometry *g, const Shading *s, const MirrorChain *chain, Path *paths, Ray *rays)
+NOINLINE void rays_after_mirrors(const World *world, const MirrorChain *chain, Path *paths, Ray *rays)
 {
-    Camera camera = camera_of(s);
+    Camera camera = camera_of(world);
     Nearest nearest[PACKETS];
     Mask all[PACKETS];
     EACH_PACKET(p) {
@@ -47,7 +47,7 @@ NOINLINE void rays_after_mirrors(const Geometry *g, const Shading *s, const Mirr
     }
     for (int i = 0; i < chain->bounces; i++) {
         LazyPoints points;
-        begin_points(&points, g, rays, nearest, all, i == 0);
+        begin_points(world, &points, rays, nearest, all, i == 0);
         EACH_PACKET(p) {
             nearest[p].face = (Mask)chain->mirrors[i];
             nearest[p].with_normal = (Mask)(chain->with_normals[i] ? -1 : 0);
@@ -58,8 +58,8 @@ NOINLINE void rays_after_mirrors(const Geometry *g, const Shading *s, const Mirr
 
 /* The lanes that a light does not reach, where neither all of the facet is in its shadow nor none. stack: leads to what may block
  * them. False: a sketch is too rough. */
-NOINLINE bool find_shadow(const Geometry *g, const Shading *s, const MirrorChain *chain, const Facet *f, const wide *position,
-                          const Path *asking, const Stack *stack, Mask *blocked, Counters *counters)
+NOINLINE bool find_shadow(const World *world, const MirrorChain *chain, const Facet *f, const wide *position,
+                          const Path *asking, const Stack *stack, Mask *blocked)
 {
     Path paths[PACKETS];
     Ray rays[PACKETS];
@@ -83,60 +83,60 @@ NOINLINE bool find_shadow(const Geometry *g, const Shading *s, const MirrorChain
         nearest[p].face = (Mask)f->face;
         nearest[p].with_normal = (Mask)(f->sign < 0 ? -1 : 0);
     }
-    rays_after_mirrors(g, s, chain, paths, rays);
+    rays_after_mirrors(world, chain, paths, rays);
     LazyPoints points;
-    begin_points(&points, g, rays, nearest, all, chain->bounces == 0);
-    find_blocked(g, s->tree, position, pencils, &points, close, rest, stack, blocked, counters);
+    begin_points(world, &points, rays, nearest, all, chain->bounces == 0);
+    find_blocked(world, position, pencils, &points, close, rest, stack, blocked);
     return true;
 }
 
 /* Adds light i to the facet that the tile sees. paths: those that have not ended are asked. blocked: holds the lanes that it does
  * not reach. False: a sketch is too rough. */
-INLINE bool light_facet(const Geometry *g, const Shading *s, const MirrorChain *chain, const CoveringFace *w, const Patch *patch,
-                        const Path *paths, int i, Facet *f, Mask *blocked, Counters *counters)
+INLINE bool light_facet(const World *world, const MirrorChain *chain, const CoveringFace *w, const Patch *patch,
+                        const Path *paths, int i, Facet *f, Mask *blocked)
 {
     const Classification *o = chain->classification;
     int bounce = chain->bounces;
-    global const real *light = s->lights + i * LIGHT_REALS;
+    global const real *light = world->lights + i * LIGHT_REALS;
     wide position[3];
     light_position(light, position);
     bool told = bounce < o->bounces && i < CLASSIFIED_LIGHTS;
-    bool facing = told ? o->facing[bounce] >> i & 1 : faces_the_light(g, w, position);
+    bool facing = told ? o->facing[bounce] >> i & 1 : faces_the_light(world, w, position);
     ShadowClass shade = SHADOWED;
-    if (asks_light(s, light, facing)) {
+    if (asks_light(world, light, facing)) {
         Stack stack;
         if (told && o->clear[bounce] >> i & 1)
             shade = LIT;
         else if (!told || !(o->dark[bounce] >> i & 1))
-            shade = classify_shadow_on(g, s, w->face, patch, &chain->camera, position, bounce == 0, chain->lanes, &stack, counters);
+            shade = classify_shadow_on(world, w->face, patch, &chain->camera, position, bounce == 0, chain->lanes, &stack);
         /* A light behind the face comes here only where it is to be asked in spite of that. */
-        if (shade == PARTLY_SHADOWED && !find_shadow(g, s, chain, f, position, paths, &stack, blocked, counters))
+        if (shade == PARTLY_SHADOWED && !find_shadow(world, chain, f, position, paths, &stack, blocked))
             return false;
     }
-    facet_add_light(s, light, facing, shade, blocked, f);
+    facet_add_light(world, light, facing, shade, blocked, f);
     return true;
 }
 
 /* Adds what the facet sends to each packet's colours, and the lanes that some light reaches to `lit`. False: a sketch is too
  * rough. */
-INLINE bool shade_tile(const Geometry *g, const Shading *s, const MirrorChain *chain, const CoveringFace *w, const Path *paths, Facet *f,
-                       Vec *colours, Mask *lit, Counters *counters)
+INLINE bool shade_tile(const World *world, const MirrorChain *chain, const CoveringFace *w, const Path *paths,
+                       Facet *f, Vec *colours, Mask *lit)
 {
-    Patch patch = patch_on(g, w->face, &chain->corners, f->height, f->off);
-    int lights = s->parameters->light_count;
+    Patch patch = patch_on(world, w->face, &chain->corners, f->height, f->off);
+    int lights = world->parameters->light_count;
     for (int i = 0; i < lights;) {
         Mask blocked[CLASSIFIED_LIGHTS][PACKETS];
         f->light_count = 0;
         for (int turn = 0; turn < CLASSIFIED_LIGHTS && i < lights; turn++, i++)
-            if (!light_facet(g, s, chain, w, &patch, paths, i, f, blocked[turn], counters))
+            if (!light_facet(world, chain, w, &patch, paths, i, f, blocked[turn]))
                 return false;
         EACH_PACKET(p) {
-            if (!shade_facet(s, f, chain->places, p, paths[p].active, colours + p, lit + p))
+            if (!shade_facet(world, f, chain->places, p, paths[p].active, colours + p, lit + p))
                 return false;
             for (int k = 0; k < f->light_count; k++) {
                 const FacetLight *light = f->lights + k;
                 if (light->blocked && !light->shines)
-                    counters->kinds[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(paths[p].active & ~light->blocked[p]);
+                    world->counters[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(paths[p].active & ~light->blocked[p]);
             }
         }
     }
@@ -145,14 +145,15 @@ INLINE bool shade_tile(const Geometry *g, const Shading *s, const MirrorChain *c
 
 /* Traces the tile as long as it sees the same everywhere; true: to the end. False: paths and rays are as they are where
  * render.cl has to go on, after `bounces`, and `rest` is what is left of their search. */
-NOINLINE bool trace_uniform_tile(const Geometry *g, const Shading *s, const ScreenPlaces *places, const Window *window,
-                          const Classification *classification, Path *paths, Ray *rays, int *bounces, Traversal *rest, Counters *counters)
+NOINLINE bool trace_uniform_tile(const World *world, const ScreenPlaces *places, const Window *window,
+                                 const Classification *classification, Path *paths, Ray *rays, int *bounces,
+                                 Traversal *rest)
 {
-    constant const Parameters *parameters = s->parameters;
+    constant const Parameters *parameters = world->parameters;
     MirrorChain chain;
     chain.places = places;
     chain.classification = classification;
-    chain.camera = camera_of(s);
+    chain.camera = camera_of(world);
     chain.bounces = 0;
     EACH_PACKET(p) {
         paths[p].total = vec(0, 0, 0);
@@ -165,34 +166,36 @@ NOINLINE bool trace_uniform_tile(const Geometry *g, const Shading *s, const Scre
         chain.lanes = 0;
         EACH_PACKET(p)
             chain.lanes += mask_count(paths[p].active);
-        Counters before = *counters;
+        uint before[COUNTER_KINDS];
+        for (int kind = 0; kind < COUNTER_KINDS; kind++)
+            before[kind] = world->counters[kind];
         CoveringFace w;
         if (chain.bounces < classification->bounces)
             w = classification->faces[chain.bounces];
         else {
-            Apex a = apex_of_image(s, camera, &chain.corners, chain.bounces);
-            *rest = chain.bounces == classification->bounces ? classification->rest : begin_in_frustum(s->tree, &a, &chain.corners);
+            Apex a = apex_of_image(world, camera, &chain.corners, chain.bounces);
+            *rest = chain.bounces == classification->bounces ? classification->rest : begin_in_frustum(world, &a, &chain.corners);
             if (!MAY_SKIP(parameters, SKIP_WHOLE_TILE) ||
-                !find_covering_face(g, s->tree, &a, &chain.corners, from, chain.lanes, &w, rest, counters))
+                !find_covering_face(world, &a, &chain.corners, from, chain.lanes, &w, rest))
                 break;
         }
         Facet f;
         Mask lit[PACKETS];
         Vec colours[PACKETS];
-        facet_of(g, s, &w, camera, chain.bounces, &f);
+        facet_of(world, &w, camera, chain.bounces, &f);
         EACH_PACKET(p) {
-            colours[p] = w.face < 0 ? vec_row(s->view + VIEW_BACKGROUND) : vec(0, 0, 0);
+            colours[p] = w.face < 0 ? vec_row(world->view + VIEW_BACKGROUND) : vec(0, 0, 0);
             lit[p] = (Mask)0;
         }
-        if (w.face >= 0 && !shade_tile(g, s, &chain, &w, paths, &f, colours, lit, counters)) {
-            before.kinds[COUNT_BOX_TESTS] = counters->kinds[COUNT_BOX_TESTS]; /* they were done, if in vain */
-            before.kinds[COUNT_FACE_TESTS] = counters->kinds[COUNT_FACE_TESTS];
-            *counters = before;
-            Apex a = apex_of_image(s, camera, &chain.corners, chain.bounces);
-            *rest = begin_in_frustum(s->tree, &a, &chain.corners); /* the search had succeeded, and used it up */
+        if (w.face >= 0 && !shade_tile(world, &chain, &w, paths, &f, colours, lit)) {
+            for (int kind = 0; kind < COUNTER_KINDS; kind++)
+                if (kind != COUNT_BOX_TESTS && kind != COUNT_FACE_TESTS) /* those were done, if in vain */
+                    world->counters[kind] = before[kind];
+            Apex a = apex_of_image(world, camera, &chain.corners, chain.bounces);
+            *rest = begin_in_frustum(world, &a, &chain.corners); /* the search had succeeded, and used it up */
             break;
         }
-        count_facet(&f, chain.lanes, counters);
+        count_facet(world, &f, chain.lanes);
         bool last = w.face < 0 || chain.bounces == parameters->max_bounces || f.reflection == 0;
         uint reflected = 0;
         EACH_PACKET(p) {
@@ -202,18 +205,18 @@ NOINLINE bool trace_uniform_tile(const Geometry *g, const Shading *s, const Scre
                 continue;
             if (!parameters->shadow_ambient)
                 path->active &= lit[p];
-            drop_weak(s, path, (Lanes)f.reflection, counters);
+            drop_weak(world, path, (Lanes)f.reflection);
             path->weight = path->weight * f.reflection;
             reflected += mask_count(path->active);
         }
         if (reflected == 0)
             return true;
-        counters->kinds[COUNT_REFLECTION] += reflected;
+        world->counters[COUNT_REFLECTION] += reflected;
         chain.mirrors[chain.bounces] = w.face;
         chain.with_normals[chain.bounces] = w.with_normal;
-        chain.camera = camera_in_mirror(g, w.face, camera);
+        chain.camera = camera_in_mirror(world, w.face, camera);
     }
-    rays_after_mirrors(g, s, &chain, paths, rays);
+    rays_after_mirrors(world, &chain, paths, rays);
     *bounces = chain.bounces;
     return false;
 }

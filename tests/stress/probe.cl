@@ -22,12 +22,11 @@ kernel void probe_counts(constant Parameters *parameters, global const FaceRecor
     int i = (int)get_global_id(0), count = 0;
     if (i >= parameters->ray_count)
         return;
-    Counters counters = {{0}};
-    Tree tree = {0, 0};
+    uint counters[COUNTER_KINDS] = {0};
     for (int face = 0; face < parameters->face_count; face++) {
-        Geometry g = {faces + face, edges + face * FACE_REALS, planes + face * PLANE_REALS, 1};
+        World world = {parameters, faces + face, edges + face * FACE_REALS, planes + face * PLANE_REALS, 1, 0, 0, 0, 0, 0, counters};
         Ray ray = probe_ray(rays, i);
-        Hit hit = find_nearest_of_pencil(&g, &tree, &ray, (Mask)-1, &counters);
+        Hit hit = find_nearest_of_pencil(&world, &ray, (Mask)-1);
         count += ANY(IS(hit.face >= (Mask)0));
     }
     counts[i] = count;
@@ -41,17 +40,16 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     int i = (int)get_global_id(0);
     if (i >= parameters->ray_count)
         return;
-    Counters counters = {{0}};
-    Tree tree = {0, 0};
-    Geometry g = {faces, edges, planes, parameters->face_count};
+    uint counters[COUNTER_KINDS] = {0};
+    World world = {parameters, faces, edges, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
     wide target[3] = {segments[6 * i + 3], segments[6 * i + 4], segments[6 * i + 5]};
     OriginPacket pencils[PACKETS];
     LazyPoints points;
     Nearest nearest[PACKETS]; /* not asked for: the points are told */
     Mask asking[PACKETS], found[PACKETS];
-    begin_points(&points, &g, 0, nearest, asking, false);
+    begin_points(&world, &points, 0, nearest, asking, false);
     EACH_PACKET(p) {
-        points.told[p] = (Mask)-1;
+        points.ready[p] = (Mask)-1;
         points.shifted[p] = probe_vec(segments, i);
         asking[p] = p == 0 ? (Mask)-1 : (Mask)0;
         pencils[p].left = (Mask)left[i];
@@ -60,7 +58,7 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     Mask close[PACKETS]; /* nothing is left out */
     EACH_PACKET(p)
         close[p] = (Mask)-1;
-    find_blocked(&g, &tree, target, pencils, &points, close, asking, 0, found, &counters);
+    find_blocked(&world, target, pencils, &points, close, asking, 0, found);
     blocked[i] = ANY(found[0]);
 }
 
@@ -73,11 +71,10 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     int i = (int)get_global_id(0);
     if (i >= parameters->ray_count)
         return;
-    Counters counters = {{0}};
-    Tree tree = {0, 0};
-    Geometry g = {faces, edges, planes, parameters->face_count};
+    uint counters[COUNTER_KINDS] = {0};
+    World world = {parameters, faces, edges, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
     Ray ray = probe_ray(rays, i);
-    Hit hit = find_nearest_of_pencil(&g, &tree, &ray, (Mask)-1, &counters);
+    Hit hit = find_nearest_of_pencil(&world, &ray, (Mask)-1);
     MaskElement face[LANES];
     wide parameter[LANES];
     STORE(hit.face, face);
@@ -91,7 +88,7 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     nearest.with_normal = hit.with_normal;
     Mask active = (Mask)-1;
     LazyPoints told;
-    begin_points(&told, &g, &ray, &nearest, &active, true);
+    begin_points(&world, &told, &ray, &nearest, &active, true);
     need_points(&told, 0, active);
     WideVec point = told.point[0], shifted = told.shifted[0];
     Wide numbers[6] = {point.x, point.y, point.z, shifted.x, shifted.y, shifted.z};
@@ -110,10 +107,8 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
     int i = (int)get_global_id(0);
     if (i >= parameters->ray_count)
         return;
-    Counters counters = {{0}};
-    Tree tree = {0, 0};
-    Geometry g = {faces, edges, planes, parameters->face_count};
-    Shading s = {materials, lights, view, parameters, &tree};
+    uint counters[COUNTER_KINDS] = {0};
+    World world = {parameters, faces, edges, planes, parameters->face_count, materials, lights, view, 0, 0, counters};
     Path paths[PACKETS];
     Ray rays_of[PACKETS];
     EACH_PACKET(p) {
@@ -132,7 +127,7 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
     }
     RayBounds seen = bounds_from(&apex, pencils, PACKETS, 0);
     begin_paths(paths, rays_of);
-    trace_paths(&g, &s, eye, &apex, &seen, 0, paths, rays_of, 0, 0, &counters);
+    trace_paths(&world, eye, &apex, &seen, 0, paths, rays_of, 0, 0);
     Vec colour = paths[0].total;
     Lanes numbers[3] = {colour.x, colour.y, colour.z};
     for (int k = 0; k < 3; k++) {
