@@ -172,6 +172,11 @@ static int wider(int width, const char *text)
     return columns > width ? columns : width;
 }
 
+InkRow ink_row(InkText label, Vec3 v)
+{
+    return (InkRow){.label = label, .v = v, .digits = INK_DIGITS};
+}
+
 void ink_rows(const Ink *ink, const InkRow *rows, int count)
 {
     int label = 0, component[3] = {0};
@@ -189,4 +194,10 @@ void ink_rows(const Ink *ink, const InkRow *rows, int count)
                  texts.component[0].text, component[1], texts.component[1].text, component[2], texts.component[2].text,
                  note[0] ? "\t " : "", note);
     }
+}
+
+InkText ink_sign(const Ink *ink, int sign)
+{
+    const char *signs[] = {"-", "0", "+"};
+    return ink_text("%s%s%s", ink_colour(ink, signs[sign + 1][0]), signs[sign + 1], ink_colour(ink, '.'));
 }

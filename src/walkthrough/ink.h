@@ -68,10 +68,15 @@ typedef struct InkRow {
     int digits;
 } InkRow;
 
+InkRow ink_row(InkText label, Vec3 v);
+
 /* Prints vectors below one another, their components in columns. */
 void ink_rows(const Ink *ink, const InkRow *rows, int count);
 
 /* The sequence that begins a colour, "" where there are none: '+' is green, '-' red, 'b' bold, any other ends them. */
 const char *ink_colour(const Ink *ink, char which);
+
+/* "+", "-" or "0", in its colour. */
+InkText ink_sign(const Ink *ink, int sign);
 
 #endif

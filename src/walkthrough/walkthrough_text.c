@@ -1,41 +1,12 @@
 /* The walkthrough as text: a worked example, step by step: the formula, the formula with the numbers in it, the result.
  * Here is its frame: the primary ray, the mirrors, the sum. The events come in the order in which things happened,
  * so each case prints one step, or a part of one. */
-#include "walkthrough/walkthrough_text.h"
-
 #include "walkthrough/walkthrough_formats.h"
 
-#include <string.h>
-
-/* --- What all parts use --- */
-
-void text_step(TextWalk *text, const char *title)
-{
-    ink_heading(&text->ink, "Step %d. %s", ++text->step, title);
-}
-
-InkRow text_row(InkText label, Vec3 v)
-{
-    return (InkRow){.label = label, .v = v, .digits = INK_DIGITS};
-}
-
-InkRow text_place_row(const TextWalk *text, InkText label, Vec3 position)
-{
-    return (InkRow){.label = label, .v = walk_world(text->walk->scene, position), .digits = text->digits};
-}
-
-InkText text_face(const Scene *scene, int face, int columns)
-{
-    InkText number = ink_text("/%d", walk_face_in_object(scene, face));
-    int room = columns - (int)strlen(number.text);
-    return ink_text("%.64s%s", ink_name(scene->objects[scene->faces[face].object].name, room).text, number.text);
-}
-
-InkText text_sign(const Ink *ink, int sign)
-{
-    const char *signs[] = {"-", "0", "+"};
-    return ink_text("%s%s%s", ink_colour(ink, signs[sign + 1][0]), signs[sign + 1], ink_colour(ink, '.'));
-}
+#include "walkthrough/walkthrough_text_hit.h"
+#include "walkthrough/walkthrough_text_light.h"
+#include "walkthrough/walkthrough_text_search.h"
+#include "walkthrough/walkthrough_text_sum.h"
 
 /* Six digits, and as many more as the scene is farther from the origin than it is large. */
 static int place_digits(const Scene *scene)
@@ -49,12 +20,12 @@ static int place_digits(const Scene *scene)
 /* --- The beginning --- */
 
 /* Why adaptive sampling gives the pixel one sample, or many. */
-static void print_verdict(const TextWalk *text, const AdaptiveVerdict *verdict)
+static void print_verdict(const WalkthroughText *text, const AdaptiveVerdict *verdict)
 {
     const Scene *scene = text->walk->scene;
     InkText face = verdict->reason == ADAPTIVE_SAME || verdict->reason == ADAPTIVE_HIGHLIGHT
                        ? ink_text("%s", "")
-                       : text_face(scene, verdict->face, 40);
+                       : walkthrough_text_face(scene, verdict->face, 40);
     InkText why;
     int hit = verdict->hit + 1, light = verdict->light;
     switch (verdict->reason) {
@@ -78,7 +49,7 @@ static void print_verdict(const TextWalk *text, const AdaptiveVerdict *verdict)
                   why.text);
 }
 
-static void print_head(const TextWalk *text)
+static void print_head(const WalkthroughText *text)
 {
     const Walkthrough *walk = text->walk;
     const Scene *scene = walk->scene;
@@ -110,7 +81,7 @@ static void print_head(const TextWalk *text)
                       ink_vector(c, text->digits).text);
 }
 
-static void print_sample(TextWalk *text, const Event *event)
+static void print_sample(WalkthroughText *text, const Event *event)
 {
     const Scene *scene = text->walk->scene;
     View view = view_of(scene);
@@ -120,7 +91,7 @@ static void print_sample(TextWalk *text, const Event *event)
     InkText half_row = n == 1 ? half : ink_text("(j + 0.5)/%d", n);
     InkText value = n == 1 ? half : ink_text("%d.5/%d", i, n), value_row = n == 1 ? half : ink_text("%d.5/%d", j, n);
 
-    text_step(text, "The primary ray, from the camera C through the point Q of the screen");
+    walkthrough_text_step(text, "The primary ray, from the camera C through the point Q of the screen");
     ink_line(&text->ink, "    x = ((column + %s)/columns - 0.5) width\t= ((%d + %s)/%d - 0.5) %s\t= %s", half.text,
              event->as.sample.column, value.text, view.columns, ink_number(view.width, 6).text,
              ink_number(at.x, 6).text);
@@ -130,12 +101,12 @@ static void print_sample(TextWalk *text, const Event *event)
     ink_line(&text->ink, "    r = %s points right, u = %s\tup.\n", ink_vector(view.right, 6).text,
              ink_vector(view.up, 6).text);
     InkRow rows[] = {
-        text_place_row(text, ink_text("C"), event->as.sample.c),
-        text_row(ink_text("distance f"), view.forward),
-        text_row(ink_text("x r"), vec3_scale(at.x, view.right)),
-        text_row(ink_text("y u"), vec3_scale(at.y, view.up)),
-        text_place_row(text, ink_text("Q = C + distance f + x r + y u"), event->as.sample.q),
-        text_row(ink_text("R = Q - C"), event->as.sample.r),
+        walkthrough_text_place_row(text, ink_text("C"), event->as.sample.c),
+        ink_row(ink_text("distance f"), view.forward),
+        ink_row(ink_text("x r"), vec3_scale(at.x, view.right)),
+        ink_row(ink_text("y u"), vec3_scale(at.y, view.up)),
+        walkthrough_text_place_row(text, ink_text("Q = C + distance f + x r + y u"), event->as.sample.q),
+        ink_row(ink_text("R = Q - C"), event->as.sample.r),
     };
     rows[0].note = ink_text("the camera");
     rows[1].note = ink_text("forward");
@@ -145,11 +116,11 @@ static void print_sample(TextWalk *text, const Event *event)
 
 /* --- The mirror --- */
 
-static void print_shaded(TextWalk *text, const Event *event)
+static void print_shaded(WalkthroughText *text, const Event *event)
 {
     int number = walk_hit_number(&text->place);
     text->weight = event->as.shaded.weight;
-    text_step(text, ink_text("What P%d adds to the pixel", number).text);
+    walkthrough_text_step(text, ink_text("What P%d adds to the pixel", number).text);
     if (event->as.shaded.lights_reaching == 0)
         ink_line(&text->ink, "    No light reaches P%d.", number);
     ink_line(&text->ink, "    weight x illumination = %s x %s\t= %s", ink_number(event->as.shaded.weight, 6).text,
@@ -158,20 +129,20 @@ static void print_shaded(TextWalk *text, const Event *event)
         ink_line(&text->ink, "    sum so far            = %s", ink_vector(event->as.shaded.total, 6).text);
 }
 
-static void print_reflected(TextWalk *text, const Event *event)
+static void print_reflected(WalkthroughText *text, const Event *event)
 {
     int number = walk_hit_number(&text->place);
     Vec3 r = event->as.reflected.r_unit, normal = text->place.hit->as.hit.normal;
     double r_dot_n = vec3_dot(r, normal);
-    text_step(text, ink_text("The mirror at P%d", number).text);
+    walkthrough_text_step(text, ink_text("The mirror at P%d", number).text);
     ink_line(&text->ink, "    r = R / |R|, and N, turned to the side that the ray came from:");
     ink_line(&text->ink, "    r.N = %s.%s\t= %s", ink_vector(r, 6).text, ink_vector(normal, 6).text,
              ink_number(r_dot_n, 6).text);
     fputc('\n', text->ink.out);
     InkRow rows[] = {
-        text_row(ink_text("r"), r),
-        text_row(ink_text("-2 (r.N) N"), vec3_scale(-2 * r_dot_n, normal)),
-        text_row(ink_text("R' = r - 2 (r.N) N"), event->as.reflected.direction),
+        ink_row(ink_text("r"), r),
+        ink_row(ink_text("-2 (r.N) N"), vec3_scale(-2 * r_dot_n, normal)),
+        ink_row(ink_text("R' = r - 2 (r.N) N"), event->as.reflected.direction),
     };
     ink_rows(&text->ink, rows, sizeof rows / sizeof *rows);
     ink_line(&text->ink, "\n    The path goes on from P%d' along R'. What it meets counts with the", number);
@@ -179,16 +150,16 @@ static void print_reflected(TextWalk *text, const Event *event)
              ink_number(event->as.reflected.reflection, 6).text, ink_number(event->as.reflected.weight, 6).text);
 }
 
-static void print_miss(TextWalk *text, const Event *event)
+static void print_miss(WalkthroughText *text, const Event *event)
 {
     ink_line(&text->ink, "    No face is hit: the ray leaves the scene, and the background shines in.");
     ink_line(&text->ink, "    weight x background = %s x %s\t= %s", ink_number(event->as.miss.weight, 6).text,
              ink_vector(event->as.miss.background, 6).text, ink_vector(event->as.miss.weight_times_background, 6).text);
 }
 
-static void print_next_face(TextWalk *text, int number)
+static void print_next_face(WalkthroughText *text, int number)
 {
-    text_step(text, ink_text(number == 1 ? "The nearest face along the ray" : "The nearest face in the mirror at P%d",
+    walkthrough_text_step(text, ink_text(number == 1 ? "The nearest face along the ray" : "The nearest face in the mirror at P%d",
                              number - 1)
                         .text);
     if (number > 1)
@@ -202,7 +173,7 @@ static void print_next_face(TextWalk *text, int number)
 
 /* --- The list --- */
 
-static void print_event(TextWalk *text, const Event *event)
+static void print_event(WalkthroughText *text, const Event *event)
 {
     switch (event->kind) {
     case EVENT_ADAPTIVE: /* told at the head */
@@ -211,28 +182,28 @@ static void print_event(TextWalk *text, const Event *event)
         print_sample(text, event), print_next_face(text, 1);
         break;
     case EVENT_TALLY:
-        text_tally(text, event);
+        walkthrough_text_tally(text, event);
         break;
     case EVENT_FACE:
-        text_face_tested(text, event);
+        walkthrough_text_face_tested(text, event);
         break;
     case EVENT_OCCLUDER:
-        text_occluder_tested(text, event);
+        walkthrough_text_occluder_tested(text, event);
         break;
     case EVENT_HIT:
-        text_hit(text, event);
+        walkthrough_text_hit(text, event);
         break;
     case EVENT_MISS:
         print_miss(text, event);
         break;
     case EVENT_LIGHT:
-        text_light(text, event);
+        walkthrough_text_light(text, event);
         break;
     case EVENT_LIGHT_END:
-        text_light_end(text, event);
+        walkthrough_text_light_end(text, event);
         break;
     case EVENT_TERMS:
-        text_terms(text, event);
+        walkthrough_text_terms(text, event);
         break;
     case EVENT_SHADED:
         print_shaded(text, event);
@@ -241,13 +212,13 @@ static void print_event(TextWalk *text, const Event *event)
         print_reflected(text, event), print_next_face(text, event->as.reflected.bounce + 1);
         break;
     case EVENT_PATH_END:
-        text_path_end(text, event);
+        walkthrough_text_path_end(text, event);
         break;
     case EVENT_PIXEL:
-        text_pixel(text, event);
+        walkthrough_text_pixel(text, event);
         break;
     case EVENT_NODE:
-        text_node(text, event);
+        walkthrough_text_node(text, event);
         break;
     case EVENT_KIND_COUNT:
         break;
@@ -257,7 +228,7 @@ static void print_event(TextWalk *text, const Event *event)
 bool walkthrough_write_text(FILE *out, const Walkthrough *walk, WalkStyle style, Error *error)
 {
     (void)error;
-    TextWalk text = {.ink = {out, style.colour}, .walk = walk, .digits = place_digits(walk->scene)};
+    WalkthroughText text = {.ink = {out, style.colour}, .walk = walk, .digits = place_digits(walk->scene)};
     print_head(&text);
     for (long i = 0; i < walk->count; i++) {
         walk_follow(&text.place, walk, &walk->events[i]);

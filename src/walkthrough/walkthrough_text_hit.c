@@ -1,10 +1,10 @@
 /* The walkthrough as text: the nearest face, the point where the ray hits it, and the inside test. */
-#include "walkthrough/walkthrough_text.h"
+#include "walkthrough/walkthrough_text_hit.h"
 
 #include <math.h>
 #include <string.h>
 
-static void print_plane_hit(const TextWalk *text, const Event *event)
+static void print_plane_hit(const WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
@@ -14,7 +14,7 @@ static void print_plane_hit(const TextWalk *text, const Event *event)
     InkText n = ink_vector(normal, 6);
     InkRow rows[4];
     for (int k = 0; k < face->vertex_count; k++)
-        rows[k] = text_place_row(text, ink_text("v%d", k), face_vertex(face, k));
+        rows[k] = walkthrough_text_place_row(text, ink_text("v%d", k), face_vertex(face, k));
     ink_rows(ink, rows, face->vertex_count);
     fputc('\n', ink->out);
     const char *formula = face->vertex_count == 4 ? "unit((v2 - v0) x (v3 - v1))" : "unit((v1 - v0) x (v2 - v0))";
@@ -29,7 +29,7 @@ static void print_plane_hit(const TextWalk *text, const Event *event)
     fputc('\n', ink->out);
 }
 
-static void print_inside_test(const TextWalk *text, const Event *event)
+static void print_inside_test(const WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Face *face = &text->walk->scene->faces[event->as.hit.face];
@@ -52,7 +52,7 @@ static void print_inside_test(const TextWalk *text, const Event *event)
     for (int k = 0; k < test->edges; k++) {
         zero = zero || test->edge_sign[k] == 0;
         ink_line(ink, "    v%d -> v%d  %-*s  %-*s  %12s   %s", k, (k + 1) % test->edges, wide_e, e[k].text, wide_c,
-                 c[k].text, ink_number(test->edge_value[k], 6).text, text_sign(ink, test->edge_sign[k]).text);
+                 c[k].text, ink_number(test->edge_value[k], 6).text, ink_sign(ink, test->edge_sign[k]).text);
     }
     ink_line(ink,
              zero ? "\n    No sign is -, and 0 is on the edge's own line, which counts as inside: P%d is on the face."
@@ -60,7 +60,7 @@ static void print_inside_test(const TextWalk *text, const Event *event)
              number);
 }
 
-static void print_shift(const TextWalk *text, const Event *event)
+static void print_shift(const WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     int number = event->as.hit.step + 1;
@@ -73,18 +73,18 @@ static void print_shift(const TextWalk *text, const Event *event)
              number, shift < 0 ? '-' : '+', ink_number(fabs(shift), 3).text);
 }
 
-void text_hit(TextWalk *text, const Event *event)
+void walkthrough_text_hit(WalkthroughText *text, const Event *event)
 {
     const Scene *scene = text->walk->scene;
     int number = event->as.hit.step + 1;
     const Face *face = &scene->faces[event->as.hit.face];
     ink_line(&text->ink, "\n    The nearest is face %d, %s, material %s:\n", face->number,
-             text_face(scene, event->as.hit.face, 40).text, ink_name(scene->materials[face->material].name, 24).text);
+             walkthrough_text_face(scene, event->as.hit.face, 40).text, ink_name(scene->materials[face->material].name, 24).text);
     print_plane_hit(text, event);
     InkRow rows[] = {
-        text_place_row(text, ink_text("O"), text->place.ray.origin),
-        text_row(ink_text("t R"), vec3_scale(event->as.hit.test.t, text->place.ray.direction)),
-        text_place_row(text, ink_text("P%d = O + t R", number), event->as.hit.point),
+        walkthrough_text_place_row(text, ink_text("O"), text->place.ray.origin),
+        ink_row(ink_text("t R"), vec3_scale(event->as.hit.test.t, text->place.ray.direction)),
+        walkthrough_text_place_row(text, ink_text("P%d = O + t R", number), event->as.hit.point),
     };
     ink_rows(&text->ink, rows, sizeof rows / sizeof *rows);
     print_inside_test(text, event);

@@ -1,22 +1,22 @@
 /* The walkthrough as text: what one light does at one point. */
-#include "walkthrough/walkthrough_text.h"
+#include "walkthrough/walkthrough_text_light.h"
 
 #include <math.h>
 #include <string.h>
 
 /* --- Is it seen? --- */
 
-void text_light(TextWalk *text, const Event *event)
+void walkthrough_text_light(WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
     int number = walk_hit_number(&text->place), index = event->as.light.light, side = event->as.light.side;
     const Event *hit = text->place.hit;
-    text_step(text, ink_text("Light %d at P%d", index, number).text);
+    walkthrough_text_step(text, ink_text("Light %d at P%d", index, number).text);
     InkRow rows[] = {
-        text_place_row(text, ink_text("light %d", index), event->as.light.position),
-        text_row(ink_text("light - P%d", number), event->as.light.to_light),
-        text_row(ink_text("L = unit(light - P%d)", number), event->as.light.l),
+        walkthrough_text_place_row(text, ink_text("light %d", index), event->as.light.position),
+        ink_row(ink_text("light - P%d", number), event->as.light.to_light),
+        ink_row(ink_text("L = unit(light - P%d)", number), event->as.light.l),
     };
     rows[1].note = ink_text("distance %s", ink_number(event->as.light.distance, 6).text);
     ink_rows(ink, rows, sizeof rows / sizeof *rows);
@@ -37,7 +37,7 @@ void text_light(TextWalk *text, const Event *event)
     text->rows_told = false;
 }
 
-void text_light_end(TextWalk *text, const Event *event)
+void walkthrough_text_light_end(WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
@@ -49,7 +49,7 @@ void text_light_end(TextWalk *text, const Event *event)
     if (event->as.light_end.verdict == LIGHT_BLOCKED) {
         int face = event->as.light_end.blocker;
         ink_line(ink, "\n    Face %d, %s, is in the way: P%d is in its shadow.", scene->faces[face].number,
-                 text_face(scene, face, 40).text, number);
+                 walkthrough_text_face(scene, face, 40).text, number);
     }
     if (scene->shading.shadow == SHADOW_BLACK)
         ink_line(ink, "    Light %d adds nothing: \"shadow\" is \"black\".", index);
@@ -139,7 +139,7 @@ static void print_highlight(const Ink *ink, Vec3 n, const Illumination *terms, d
              ink_number(pow(terms->n_dot_h, shininess / 4), 6).text);
 }
 
-void text_terms(TextWalk *text, const Event *event)
+void walkthrough_text_terms(WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
@@ -154,8 +154,8 @@ void text_terms(TextWalk *text, const Event *event)
                  event->as.terms.light);
     } else {
         InkRow rows[] = {
-            text_row(to_camera ? ink_text("V = unit(C - P%d)", number) : ink_text("V = -R / |R|"), event->as.terms.v),
-            text_row(ink_text("H = unit(L + V)"), terms->h),
+            ink_row(to_camera ? ink_text("V = unit(C - P%d)", number) : ink_text("V = -R / |R|"), event->as.terms.v),
+            ink_row(ink_text("H = unit(L + V)"), terms->h),
         };
         ink_rows(ink, rows, sizeof rows / sizeof *rows);
         print_highlight(ink, text->place.hit->as.hit.normal, terms, material->shininess);

@@ -1,5 +1,5 @@
 /* The walkthrough as text: the search for the face that a ray hits, or that stands in a shadow ray's way. */
-#include "walkthrough/walkthrough_text.h"
+#include "walkthrough/walkthrough_text_search.h"
 
 #include <math.h>
 #include <string.h>
@@ -25,14 +25,14 @@ static const Reason shadow_reasons[REASONS] = {
     {FACE_OUTSIDE, "outside an edge"},           {FACE_INSIDE, "in the way"},
 };
 
-static void print_table_head(TextWalk *text)
+static void print_table_head(WalkthroughText *text)
 {
     ink_line(&text->ink, "\n      face  of                        N.R      N.O + D            t   edges     verdict");
     text->rows_told = true;
 }
 
 /* The nodes of the tree that the ray enters, in a paragraph. */
-static void print_nodes(const TextWalk *text, const Event *tally)
+static void print_nodes(const WalkthroughText *text, const Event *tally)
 {
     int entered = tally->as.tally.nodes_entered, told = 0;
     char line[1024];
@@ -50,7 +50,7 @@ static void print_nodes(const TextWalk *text, const Event *tally)
     ink_paragraph(&text->ink, "%s%s.", line, told < entered ? ", ..." : "");
 }
 
-void text_node(TextWalk *text, const Event *event)
+void walkthrough_text_node(WalkthroughText *text, const Event *event)
 {
     const WalkNode *node = &event->as.node;
     if (!text->walk->request.verbose)
@@ -78,7 +78,7 @@ static InkText reasons_of(const Event *event)
     return line;
 }
 
-void text_tally(TextWalk *text, const Event *event)
+void walkthrough_text_tally(WalkthroughText *text, const Event *event)
 {
     int tested = event->as.tally.tested, all = text->walk->scene->face_count;
     bool tree = event->as.tally.nodes_met > 0,
@@ -104,11 +104,11 @@ static InkText signs_of(const Ink *ink, const FaceTest *test)
 {
     InkText signs = {""};
     for (int k = 0; k < test->edges; k++)
-        signs = ink_text("%s%s ", signs.text, text_sign(ink, test->edge_sign[k]).text);
+        signs = ink_text("%s%s ", signs.text, ink_sign(ink, test->edge_sign[k]).text);
     return ink_text("%s%*s", signs.text, 2 * (4 - test->edges), "");
 }
 
-static void print_tested(TextWalk *text, int face, const FaceTest *test, const char *verdict)
+static void print_tested(WalkthroughText *text, int face, const FaceTest *test, const char *verdict)
 {
     const Scene *scene = text->walk->scene;
     if (!text->rows_told)
@@ -116,11 +116,11 @@ static void print_tested(TextWalk *text, int face, const FaceTest *test, const c
     InkText t = test->verdict == FACE_PARALLEL || test->verdict == FACE_LEFT ? ink_text("-") : ink_number(test->t, 6);
     InkText number = ink_text("%d", scene->faces[face].number);
     if (test->verdict == FACE_LEFT) {
-        ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %-8s  %s", number.text, text_face(scene, face, 16).text,
+        ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %-8s  %s", number.text, walkthrough_text_face(scene, face, 16).text,
                  "-", "-", "-", "", verdict);
         return;
     }
-    ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %s  %s", number.text, text_face(scene, face, 16).text,
+    ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %s  %s", number.text, walkthrough_text_face(scene, face, 16).text,
              ink_number(test->n_dot_r, 6).text, ink_number(test->n_dot_o_plus_d, 6).text, t.text,
              signs_of(&text->ink, test).text, verdict);
     if (text->walk->request.verbose && test->edges > 0) {
@@ -149,7 +149,7 @@ static bool is_met_again(const Event *event)
     return before->kind == EVENT_FACE;
 }
 
-void text_face_tested(TextWalk *text, const Event *event)
+void walkthrough_text_face_tested(WalkthroughText *text, const Event *event)
 {
     const FaceTest *test = &event->as.face.test;
     InkText verdict = ink_text("%s", walk_face_verdicts[test->verdict]);
@@ -166,7 +166,7 @@ void text_face_tested(TextWalk *text, const Event *event)
     print_tested(text, event->as.face.face, test, verdict.text);
 }
 
-void text_occluder_tested(TextWalk *text, const Event *event)
+void walkthrough_text_occluder_tested(WalkthroughText *text, const Event *event)
 {
     const FaceTest *test = &event->as.occluder.test;
     InkText verdict = ink_text("%s", walk_face_verdicts[test->verdict]);

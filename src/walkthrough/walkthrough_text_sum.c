@@ -1,7 +1,7 @@
 /* The walkthrough as text: why the path ended, the sum of what it gathered, and the pixel's three bytes. */
-#include "walkthrough/walkthrough_text.h"
+#include "walkthrough/walkthrough_text_sum.h"
 
-static void print_reason(TextWalk *text, const Event *event)
+static void print_reason(WalkthroughText *text, const Event *event)
 {
     const Shading *shading = &text->walk->scene->shading;
     int number = walk_hit_number(&text->place);
@@ -12,13 +12,13 @@ static void print_reason(TextWalk *text, const Event *event)
         reason = ink_text("the material at P%d has reflection 0", number);
     else if (event->as.path_end.reason == PATH_MAX_BOUNCES)
         reason = ink_text("it was reflected max_bounces = %d times", shading->max_bounces);
-    text_step(text, "The sum");
+    walkthrough_text_step(text, "The sum");
     ink_line(&text->ink, "    The path ended here: %s.", reason.text);
     fputc('\n', text->ink.out);
 }
 
 /* The told sample's contributions, one a line, and their sum. */
-static void print_sum(const TextWalk *text, const Event *path_end)
+static void print_sum(const WalkthroughText *text, const Event *path_end)
 {
     InkRow rows[SCENE_MAX_BOUNCES + 3];
     int count = 0;
@@ -26,24 +26,24 @@ static void print_sum(const TextWalk *text, const Event *path_end)
         if (event->kind == EVENT_SHADED) {
             InkText label = ink_text("P%d", count + 1);
             rows[count++] =
-                text_row(ink_text("%-10s  weight %-10s", label.text, ink_number(event->as.shaded.weight, 6).text),
+                ink_row(ink_text("%-10s  weight %-10s", label.text, ink_number(event->as.shaded.weight, 6).text),
                          event->as.shaded.contribution);
         } else if (event->kind == EVENT_MISS) {
-            rows[count++] = text_row(ink_text("background  weight %-10s", ink_number(event->as.miss.weight, 6).text),
+            rows[count++] = ink_row(ink_text("background  weight %-10s", ink_number(event->as.miss.weight, 6).text),
                                      event->as.miss.weight_times_background);
         }
     }
-    rows[count++] = text_row(ink_text("sum"), path_end->as.path_end.colour);
+    rows[count++] = ink_row(ink_text("sum"), path_end->as.path_end.colour);
     ink_rows(&text->ink, rows, count);
 }
 
-void text_path_end(TextWalk *text, const Event *event)
+void walkthrough_text_path_end(WalkthroughText *text, const Event *event)
 {
     print_reason(text, event);
     print_sum(text, event);
 }
 
-static void print_samples(const TextWalk *text, int samples)
+static void print_samples(const WalkthroughText *text, int samples)
 {
     enum { SHORT_LIST = 16 };
     const Walkthrough *walk = text->walk;
@@ -59,14 +59,14 @@ static void print_samples(const TextWalk *text, int samples)
         if (event->kind == EVENT_SAMPLE)
             sample = event;
         else if (event->kind == EVENT_PATH_END)
-            rows[count++] = text_row(ink_text("sample (%d, %d)", sample->as.sample.i, sample->as.sample.j),
+            rows[count++] = ink_row(ink_text("sample (%d, %d)", sample->as.sample.i, sample->as.sample.j),
                                      event->as.path_end.colour);
     }
     if (list)
         ink_rows(&text->ink, rows, count);
 }
 
-void text_pixel(TextWalk *text, const Event *event)
+void walkthrough_text_pixel(WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const unsigned char *rgb = event->as.pixel.rgb;

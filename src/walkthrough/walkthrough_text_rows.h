@@ -1,0 +1,27 @@
+/* What all parts of the walkthrough as text share: the state of the writer, headings, rows, names of faces. */
+#ifndef RECTRAY_WALKTHROUGH_TEXT_ROWS_H
+#define RECTRAY_WALKTHROUGH_TEXT_ROWS_H
+
+#include "walkthrough/ink.h"
+#include "walkthrough/walkthrough.h"
+
+typedef struct WalkthroughText {
+    Ink ink;
+    const Walkthrough *walk;
+    WalkPlace place;
+    int step;       /* number of the last step's heading */
+    int digits;     /* of positions: more than 6 in a scene far from the origin */
+    double weight;  /* of the last hit */
+    bool rows_told; /* the heading of the table of faces was printed */
+} WalkthroughText;
+
+/* "Step 3. ...", numbered. */
+void walkthrough_text_step(WalkthroughText *text, const char *title);
+
+/* A row that shows a position in the scene file's coordinates. */
+InkRow walkthrough_text_place_row(const WalkthroughText *text, InkText label, Vec3 position);
+
+/* "floor/2": the face's object, and its number in it. */
+InkText walkthrough_text_face(const Scene *scene, int face, int columns);
+
+#endif
