@@ -1,6 +1,6 @@
 /* The kernels' fast edge test, which must send every doubtful ray to the exact one: rays whose origins and directions are
  * floats, aimed exactly at edges and vertices and one ulp beside them. Every kernel must decide as the reference does. */
-#include "opencl/opencl.h"
+#include "opencl/opencl_cast.h"
 #include "trace/reference.h"
 
 #include "support/support.h"

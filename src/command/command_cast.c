@@ -3,7 +3,7 @@
 #include "trace/accel.h"
 #include "base/clock.h"
 #include "command/command.h"
-#include "opencl/opencl.h"
+#include "opencl/opencl_cast.h"
 #include "trace/reference.h"
 #include "reader/scene_json.h"
 #include "command/stats.h"

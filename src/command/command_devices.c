@@ -1,6 +1,6 @@
 /* rectray devices: the OpenCL devices with the numbers that --device takes. */
 #include "command/command.h"
-#include "opencl/opencl.h"
+#include "opencl/opencl_device.h"
 
 #include <stdlib.h>
 

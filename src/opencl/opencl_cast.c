@@ -1,5 +1,5 @@
 /* The OpenCL backend: casts rays at a scene. */
-#include "opencl/opencl.h"
+#include "opencl/opencl_cast.h"
 
 #include "opencl/opencl_upload.h"
 

@@ -1,16 +1,24 @@
-/* Finding a device: platforms and devices in the loader's order, and what suits each. */
+/* Devices: all that OpenCL offers, in the loader's order, and what suits each. */
 #ifndef RECTRAY_OPENCL_DEVICE_H
 #define RECTRAY_OPENCL_DEVICE_H
 
-#include "opencl/opencl.h"
+#include "base/error.h"
 
 #include <CL/cl.h>
 
-/* "CL_OUT_OF_RESOURCES" for its code; "an unknown error" for a code that users seldom meet. */
-const char *opencl_status_name(cl_int status);
+typedef struct DeviceInfo {
+    int number; /* for --device */
+    char platform[128], name[128], version[128], driver[128];
+    char type[16]; /* "CPU", "GPU", "accelerator" */
+    int compute_units;
+    int has_double;
+    int lanes_float, lanes_double; /* what the backend would use */
+    long long memory_bytes;
+} DeviceInfo;
 
-/* Records a failing OpenCL call: its name, the code and the code's name. True when status is CL_SUCCESS. */
-bool opencl_ok(Error *error, cl_int status, const char *call);
+/* Lists the devices of all platforms, in the loader's order. *count is their number; the caller frees *devices.
+ * No platform or no device is an ERROR_SYSTEM that says what to install. */
+bool opencl_devices(DeviceInfo **devices, int *count, Error *error);
 
 /* Finds device `number` (-1: the first PoCL device, else the first of all) and tells about it. threads > 0 limits the
  * processors that PoCL uses; it works for the first call of a process. */

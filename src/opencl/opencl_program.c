@@ -1,6 +1,7 @@
 /* A device made ready: context, queue and compiled kernels. Every OpenCL call goes through opencl_ok. */
 #include "opencl/opencl_program.h"
 
+#include "opencl/opencl_status.h"
 #include "base/clock.h"
 #include "opencl/opencl_sources.h"
 

@@ -4,6 +4,7 @@
 
 #include "opencl/kernel_cache.h"
 #include "opencl/opencl_device.h"
+#include "trace/render.h"
 
 /* Where PoCL is told to specialise kernels, it compiles one once more for launches of more than 65535 work-groups. */
 enum { OPENCL_MAX_BUFFERS = 16, OPENCL_MAX_ITEMS = 65535 };

@@ -1,6 +1,7 @@
 /* Adaptive sampling on a device. The list of pixels is made here, in a fixed order, so that a picture is the same each time. */
 #include "opencl/opencl_refine.h"
 
+#include "opencl/opencl_status.h"
 #include "base/clock.h"
 
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 /* A scene on a device, ready to be traced. */
 #include "opencl/opencl_upload.h"
 
+#include "opencl/opencl_status.h"
 #include "trace/accel.h"
 #include "base/clock.h"
 #include "opencl/device_scene.h"

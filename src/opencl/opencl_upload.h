@@ -3,6 +3,7 @@
 #define RECTRAY_OPENCL_UPLOAD_H
 
 #include "opencl/opencl_program.h"
+#include "scene/scene.h"
 
 #include "kernels/shared/layout.h"
 

@@ -1,5 +1,5 @@
 /* The four ways to trace, behind one set of questions. */
-#include "opencl/opencl.h"
+#include "opencl/opencl_cast.h"
 #include "trace/reference.h"
 #include "scenes.h"
 #include "suite.h"

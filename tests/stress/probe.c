@@ -1,6 +1,8 @@
 /* The OpenCL calls around the probe kernels. */
 #include "probe.h"
 
+#include "opencl/opencl_status.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
