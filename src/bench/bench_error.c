@@ -1,6 +1,7 @@
 /* Time against error. To add a choice, see list_choices. */
 #include "bench/bench_error.h"
 
+#include "bench/bench_measure.h"
 #include "bench/bench_truth.h"
 #include "reader/scene_json.h"
 

@@ -52,7 +52,7 @@ typedef struct BenchError {
 } BenchError;
 
 /* Measures every choice for the scene; one that is settled in size and grid, see bench_error_settle. Times are taken in
- * rounds, each choice once a round, so that all meet the same weather; what takes over a second is run once, what would
+ * rounds, each choice once a round, so that all see the same load; what takes over a second is run once, what would
  * take over five is left out.
  *
  * The causes, for the OpenCL backend in float with the scene's sampling and bounces:

@@ -1,7 +1,7 @@
 /* Tables in markdown, and CSV. Colours run from 0 to 1, errors are in the same unit. */
 #include "bench/bench_error_report.h"
 
-#include "bench/bench_report.h"
+#include "bench/bench_machine.h"
 
 #include <errno.h>
 #include <inttypes.h>

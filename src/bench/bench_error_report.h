@@ -10,7 +10,7 @@ typedef struct BenchErrors {
     BenchError scenes[ERROR_MAX_SCENES];
     int count;
     BenchPlan plan;
-    double load; /* see bench_load */
+    double load; /* see bench_machine.h */
 } BenchErrors;
 
 /* `data` is a BenchErrors, so that bench_document.h may call this. Writing errors stay in `out`. */

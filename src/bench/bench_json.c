@@ -1,6 +1,7 @@
-/* The same measurements for programs. Every cJSON function passes a NULL on, so memory is checked once, at the end. */
-#include "bench/bench_report.h"
+/* The measurements for programs. Every cJSON function passes a NULL on, so memory is checked once, at the end. */
+#include "bench/bench_json.h"
 
+#include "bench/bench_machine.h"
 #include "trace/skip.h"
 
 #include <cjson/cJSON.h>

@@ -1,7 +1,11 @@
 /* The ladder of scenes. */
 #include "bench/bench_ladder.h"
 
+#include "reader/generate.h"
+
+#include <errno.h>
 #include <stdio.h>
+#include <string.h>
 
 const BenchRung bench_ladder[] = {
     {"original", "scenes/original.json", NULL, 0, true},
@@ -17,12 +21,26 @@ const BenchRung bench_ladder[] = {
     {0},
 };
 
+/* Generates the scene's file, KIND-SIZE.json in the folder. */
+static bool generate(BenchScene *scene, const char *kind_name, int size, const BenchFolder *folder, Error *error)
+{
+    const SceneKind *kind = scene_kind_find(kind_name, error);
+    if (!kind)
+        return false;
+    snprintf(scene->path, sizeof scene->path, "%s/%s-%d.json", folder->path, kind_name, size);
+    FILE *out = fopen(scene->path, "w");
+    bool made = out && scene_generate(kind, out, size, 0, error);
+    if (out && fclose(out) == 0 && made)
+        return true;
+    return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", scene->path, strerror(errno));
+}
+
 bool bench_rung(const BenchRung *rung, const BenchFolder *folder, BenchScene *scene, Error *error)
 {
     *scene = (BenchScene){.columns = 0};
     snprintf(scene->name, sizeof scene->name, "%s", rung->name);
     if (!rung->path)
-        return bench_generate(scene, rung->kind, rung->size, folder, error);
+        return generate(scene, rung->kind, rung->size, folder, error);
     snprintf(scene->path, sizeof scene->path, "%s", rung->path);
     return true;
 }

@@ -1,27 +1,13 @@
 /* Whole processes: what a user waits for. This program starts itself, with a kernel cache that is empty (cold) or
  * was filled by the run before (warm), and reads the phases from --stats=json. */
-#include "bench/bench.h"
+#include "bench/bench_process.h"
 
-#include "reader/generate.h"
 #include "base/process.h"
+#include "bench/bench_measure.h"
 
 #include <cjson/cJSON.h>
-#include <errno.h>
 #include <string.h>
 #include <unistd.h>
-
-bool bench_generate(BenchScene *scene, const char *kind_name, int size, const BenchFolder *folder, Error *error)
-{
-    const SceneKind *kind = scene_kind_find(kind_name, error);
-    if (!kind)
-        return false;
-    snprintf(scene->path, sizeof scene->path, "%s/%s-%d.json", folder->path, kind_name, size);
-    FILE *out = fopen(scene->path, "w");
-    bool made = out && scene_generate(kind, out, size, 0, error);
-    if (out && fclose(out) == 0 && made)
-        return true;
-    return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", scene->path, strerror(errno));
-}
 
 /* --- Ours --- */
 
@@ -34,6 +20,12 @@ static const char *own_path(char *path, size_t size)
     path[length] = '\0';
     return path;
 }
+
+/* One process, or the median of some. */
+typedef struct Run {
+    BenchPhases phases;
+    double wall_ms, peak_bytes;
+} Run;
 
 static bool read_phases(const char *line, BenchPhases *phases, double *peak_bytes)
 {
@@ -55,13 +47,12 @@ static bool read_phases(const char *line, BenchPhases *phases, double *peak_byte
     return ok;
 }
 
-static bool render_process(const BenchScene *scene, const BenchFolder *folder, BenchPhases *phases, double *wall_ms,
-                           double *peak_bytes, Error *error)
+static bool render_process(const BenchScene *scene, const BenchFolder *folder, Run *run, Error *error)
 {
     char program[1024], size[32], grid[16], line[8192];
     snprintf(size, sizeof size, "--size=%dx%d", scene->columns, scene->rows);
     snprintf(grid, sizeof grid, "--grid=%d", scene->grid);
-    /* Both caches of kernels: see opencl_cache.h, and PoCL's manual. */
+    /* Both caches of kernels: see kernel_cache.h, and PoCL's manual. */
     BenchPath own_cache = bench_path(folder, "RECTRAY_CACHE_DIR=", "cache/kernels"),
               driver_cache = bench_path(folder, "POCL_CACHE_DIR=", "cache/driver"),
               picture = bench_path(folder, "", "picture.png");
@@ -78,9 +69,9 @@ static bool render_process(const BenchScene *scene, const BenchFolder *folder, B
                           "-o",
                           picture.text,
                           NULL};
-    if (!process_run(argv, line, sizeof line, wall_ms, error))
+    if (!process_run(argv, line, sizeof line, &run->wall_ms, error))
         return false;
-    return read_phases(line, phases, peak_bytes) || error_set(error, ERROR_SYSTEM, "render told no statistics");
+    return read_phases(line, &run->phases, &run->peak_bytes) || error_set(error, ERROR_SYSTEM, "render told no statistics");
 }
 
 static bool empty_cache(const BenchFolder *folder, Error *error)
@@ -91,34 +82,40 @@ static bool empty_cache(const BenchFolder *folder, Error *error)
     return process_run(empty, NULL, 0, &ms, error) && process_run(make, NULL, 0, &ms, error);
 }
 
-/* The run whose wall-clock time is the median stands for all of them: its phases add up. */
-static bool median_process(const BenchScene *scene, const BenchFolder *folder, bool cold, int repeats,
-                           BenchPhases *phases, double *wall_ms, double *peak_bytes, Error *error)
+/* The run whose wall-clock time is the median stands for all of them: its phases add up. The memory is the last one's. */
+static bool median_process(const BenchScene *scene, const BenchFolder *folder, bool cold, int repeats, Run *median, Error *error)
 {
-    BenchPhases all[BENCH_MAX_REPEATS];
-    double walls[BENCH_MAX_REPEATS], sorted[BENCH_MAX_REPEATS];
+    Run runs[BENCH_MAX_REPEATS];
+    double sorted[BENCH_MAX_REPEATS];
     repeats |= 1; /* odd, so that one of them is the median */
     for (int i = 0; i < repeats; i++) {
         if (cold && !empty_cache(folder, error))
             return false;
-        if (!render_process(scene, folder, &all[i], &walls[i], peak_bytes, error))
+        if (!render_process(scene, folder, &runs[i], error))
             return false;
-        sorted[i] = walls[i];
+        sorted[i] = runs[i].wall_ms;
     }
-    *wall_ms = bench_median(sorted, repeats);
+    double wall_ms = bench_median(sorted, repeats);
     for (int i = 0; i < repeats; i++)
-        if (walls[i] == *wall_ms)
-            *phases = all[i];
+        if (runs[i].wall_ms == wall_ms)
+            *median = runs[i];
+    median->peak_bytes = runs[repeats - 1].peak_bytes;
     return true;
 }
 
 bool bench_process(BenchProcess *result, const BenchScene *scene, const BenchPlan *plan, Error *error)
 {
+    Run cold, warm;
     *result = (BenchProcess){.scene = *scene};
-    return median_process(scene, &plan->folder, true, plan->repeats / 2, &result->cold, &result->cold_wall_ms,
-                          &result->peak_bytes, error) &&
-           median_process(scene, &plan->folder, false, plan->repeats, &result->warm, &result->warm_wall_ms,
-                          &result->peak_bytes, error);
+    if (!median_process(scene, &plan->folder, true, plan->repeats / 2, &cold, error) ||
+        !median_process(scene, &plan->folder, false, plan->repeats, &warm, error))
+        return false;
+    result->cold = cold.phases;
+    result->cold_wall_ms = cold.wall_ms;
+    result->warm = warm.phases;
+    result->warm_wall_ms = warm.wall_ms;
+    result->peak_bytes = warm.peak_bytes;
+    return true;
 }
 
 /* --- POV-Ray --- */

@@ -1,8 +1,8 @@
 /* What leaving work out buys: the scene traced with each kind of work left out that it lets be left out, and with that
  * work done, turn by turn. */
-#include "bench/bench.h"
+#include "bench/bench_skip.h"
 
-#include "trace/skip.h"
+#include "bench/bench_measure.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,46 +14,51 @@ static bool same_picture(const Image *a, const Image *b)
     return memcmp(a->rgb, b->rgb, (size_t)a->columns * (size_t)a->rows * 3) == 0;
 }
 
-/* One kind; `held` is the scene with all left out, `done` and `left` are pictures for the two sides. */
-static bool measure_skip(BenchSkip *result, int skip, const Scene *scene, OpenclScene *held, const BenchPlan *plan, Image *left,
-                         Image *done, Error *error)
+/* The two sides: the scene held with all left out, and a picture for each. */
+typedef struct Sides {
+    OpenclScene *held;
+    Image left, done;
+} Sides;
+
+/* One kind of work. */
+static bool measure_skip(BenchSkip *result, int skip, const Scene *scene, Sides *sides, const BenchPlan *plan, Error *error)
 {
     double times[2][MOST_REPEATS];
     int repeats = plan->repeats < MOST_REPEATS ? plan->repeats : MOST_REPEATS;
     RenderSettings with = plan->settings;
     with.no_skip |= 1u << skip;
-    OpenclScene *sides[2] = {held, opencl_hold(scene, &with, error)};
-    bool ok = sides[1] != NULL;
+    OpenclScene *held[2] = {sides->held, opencl_hold(scene, &with, error)};
+    bool ok = held[1] != NULL;
     for (int i = -1; i < repeats && ok; i++) /* -1: to warm up */
         for (int side = 0; side < 2 && ok; side++) {
             RenderReport report;
-            ok = bench_trace_once(sides[side], side == 0 ? left : done, &report, error);
+            ok = bench_trace_once(held[side], side == 0 ? &sides->left : &sides->done, &report, error);
             times[side][i < 0 ? 0 : i] = report.trace_ms;
         }
-    opencl_release(sides[1]);
+    opencl_release(held[1]);
     if (!ok)
         return false;
     result->left_ms = bench_median(times[0], repeats);
     result->done_ms = bench_median(times[1], repeats);
-    result->same = same_picture(left, done);
+    result->same = same_picture(&sides->left, &sides->done);
     return true;
 }
 
-bool bench_skips(BenchTrace *result, const Scene *scene, const BenchPlan *plan, Error *error)
+bool bench_skips(BenchSkip skips[SKIPS], const RenderReport *report, const Scene *scene, const BenchPlan *plan, Error *error)
 {
     size_t bytes = (size_t)scene->screen.columns * (size_t)scene->screen.rows * 3;
-    Image left = {scene->screen.columns, scene->screen.rows, malloc(bytes)}, done = left;
-    done.rgb = malloc(bytes);
-    bool ok = (left.rgb && done.rgb) || error_memory(error, "two pictures");
-    OpenclScene *held = ok ? opencl_hold(scene, &plan->settings, error) : NULL;
-    ok = held != NULL;
+    Sides sides = {.left = {scene->screen.columns, scene->screen.rows, malloc(bytes)}};
+    sides.done = (Image){scene->screen.columns, scene->screen.rows, malloc(bytes)};
+    bool ok = (sides.left.rgb && sides.done.rgb) || error_memory(error, "two pictures");
+    sides.held = ok ? opencl_hold(scene, &plan->settings, error) : NULL;
+    ok = sides.held != NULL;
     for (int skip = 0; ok && skip < SKIPS; skip++) {
-        result->skips[skip].count = result->report.skipped[skip];
-        if (result->skips[skip].count > 0)
-            ok = measure_skip(&result->skips[skip], skip, scene, held, plan, &left, &done, error);
+        skips[skip].count = report->skipped[skip];
+        if (skips[skip].count > 0)
+            ok = measure_skip(&skips[skip], skip, scene, &sides, plan, error);
     }
-    opencl_release(held);
-    image_free(&left);
-    image_free(&done);
+    opencl_release(sides.held);
+    image_free(&sides.left);
+    image_free(&sides.done);
     return ok;
 }

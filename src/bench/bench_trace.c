@@ -1,46 +1,15 @@
 /* Tracing measured in one process. The peer runs as a process of its own that answers each line with the time of one
- * more picture, so that both meet the same weather: one of ours, one of its, and so on. */
-#include "bench/bench.h"
+ * more picture. The two run alternately, so that both see the same load: one picture of ours, one of its, and so on. */
+#include "bench/bench_trace.h"
 
-#include "opencl/opencl.h"
 #include "base/process.h"
+#include "bench/bench_measure.h"
 #include "reader/scene_json.h"
 
 #include <cjson/cJSON.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-double bench_median(double *times, int count)
-{
-    /* cppcheck-suppress uninitvar ; all are set, for a plan has 1 to 99 repeats */
-    qsort(times, (size_t)count, sizeof *times, by_size);
-    return count == 0 ? 0 : (times[(count - 1) / 2] + times[count / 2]) / 2;
-}
-
-/* Copies a band into the picture `user`, or drops it where there is none. */
-static bool keep_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
-                      Error *error)
-{
-    (void)so_far, (void)error;
-    Image *picture = user;
-    if (picture) {
-        size_t row_bytes = (size_t)picture->columns * 3;
-        memcpy(picture->rgb + (size_t)first_row * row_bytes, rgb, (size_t)rows * row_bytes);
-    }
-    return true;
-}
-
-bool bench_trace_once(OpenclScene *held, Image *picture, RenderReport *report, Error *error)
-{
-    return opencl_picture(held, (BandSink){keep_band, picture}, report, error);
-}
 
 /* --- The peer --- */
 
@@ -237,7 +206,7 @@ bool bench_trace(BenchTrace *result, const BenchScene *wanted, const BenchPlan *
                 trace_in_turns(result, held, plan, &peer, &picture, error);
     opencl_release(held);
     done = done && (!result->has_peer || peer_finish(&peer, result, plan, &picture, error)) &&
-                trace_by_kind(result, &scene, plan, error) && (!plan->skips || bench_skips(result, &scene, plan, error));
+                trace_by_kind(result, &scene, plan, error) && (!plan->skips || bench_skips(result->skips, &result->report, &scene, plan, error));
     process_end(&peer);
     image_free(&picture);
     scene_free(&scene);

@@ -1,7 +1,9 @@
 /* rectray bench: measures scenes, or the ladder of scenes on which every figure of docs/performance.md stands.
  * `bench error` is command_bench_error.c. */
 #include "bench/bench_document.h"
+#include "bench/bench_json.h"
 #include "bench/bench_ladder.h"
+#include "bench/bench_machine.h"
 #include "bench/bench_report.h"
 #include "command/command.h"
 #include "base/text.h"

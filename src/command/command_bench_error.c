@@ -2,7 +2,7 @@
 #include "bench/bench_document.h"
 #include "bench/bench_error_report.h"
 #include "bench/bench_ladder.h"
-#include "bench/bench_report.h"
+#include "bench/bench_machine.h"
 #include "command/command.h"
 #include "base/text.h"
 
