@@ -1,5 +1,5 @@
 """The house stands as docs/architecture.md says. Its folders are floors: a file includes only from its own folder and from the
-folders before it in the lists below, and the files of a folder form no circle."""
+folders before it in the lists below. Its modules, each a NAME.h with its NAME.c, form no circle."""
 import re
 import unittest
 from pathlib import Path
@@ -39,8 +39,32 @@ def folder_of(name):
     return name.rpartition("/")[0]
 
 
+def modules(top):
+    """Each module of the tree `top` with the modules that its files include. NAME.h and NAME.c are one; kernels stand alone."""
+    def module_of(name):
+        return re.sub(r"\.[hc]$", "", name)
+
+    found = {}
+    for name, included in sources(top).items():
+        others = found.setdefault(module_of(name), set())
+        others.update(module_of(other) for other in included if module_of(other) != module_of(name))
+    return {name: sorted(others) for name, others in found.items()}
+
+
+def calls(top):
+    """Each module with those whose functions it names: a header may declare what other modules define."""
+    texts = {}
+    for path in sorted((ROOT / top).rglob("*.c")):
+        without_comments = re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.S)
+        texts[str(path.relative_to(ROOT / top).with_suffix(""))] = without_comments
+    homes = {function: name for name, text in texts.items()
+             for function in re.findall(r"^(?!static|typedef)\w[\w *]*?[ *](\w+)\([^;{}]*\)\s*\{", text, re.M)}
+    return {name: sorted({homes[word] for word in re.findall(r"\b[a-z]\w+(?=[(,);])", text) if word in homes} - {name})
+            for name, text in texts.items()}
+
+
 def find_circle(included):
-    """A list of files each of which includes the next one, and the last the first; None if there is none."""
+    """A list of modules each of which needs the next one, and the last the first; None if there is none."""
     done, way = set(), []
 
     def visit(name):
@@ -79,9 +103,12 @@ class Architecture(unittest.TestCase):
                     self.assertLessEqual(floors.index(there), floors.index(here), f"{top}/{name} includes {other}")
                     self.assertNotIn((there, here), APART, f"{top}/{name} includes {other}")
 
-    def test_no_files_include_each_other_in_a_circle(self):
+    def test_no_modules_include_each_other_in_a_circle(self):
         for top in FLOORS:
-            self.assertIsNone(find_circle(sources(top)))
+            self.assertIsNone(find_circle(modules(top)))
+
+    def test_no_modules_call_each_other_in_a_circle(self):
+        self.assertIsNone(find_circle(calls("src")))
 
     def test_host_includes_of_the_kernels_only_what_both_share(self):
         for name, included in sources("src").items():
