@@ -1,6 +1,7 @@
 /* rectray: finds the command and lets it run. Only here an Error becomes a message and an exit status. */
-#include "command/command.h"
 #include "base/interrupt.h"
+#include "command/command.h"
+#include "command/usage.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -45,12 +46,12 @@ static bool flush_output(Error *error)
 static bool run(int argc, char **argv, Error *error)
 {
     if (argc < 2) {
-        commands_print_help(stderr, commands);
+        usage_print_commands(stderr, commands);
         return error_set(error, ERROR_USAGE, "a command is missing");
     }
     const char *name = argv[1];
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
-        commands_print_help(stdout, commands);
+        usage_print_commands(stdout, commands);
         return true;
     }
     if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
@@ -58,11 +59,11 @@ static bool run(int argc, char **argv, Error *error)
         return true;
     }
     Options options;
-    const Command *command = command_find(commands, name, error);
+    const Command *command = options_find_command(commands, name, error);
     if (!command || !options_parse(&options, command, argc - 1, argv + 1, error))
         return false;
     if (options.help)
-        command_print_help(stdout, command);
+        usage_print_command(stdout, command);
     else if (options.version)
         printf("rectray %s\n", VERSION);
     else

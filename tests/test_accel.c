@@ -77,7 +77,7 @@ typedef struct Segment {
     bool blocked;
 } Segment;
 
-static bool visit_blocker(Walk *walk, int face)
+static bool visit_blocker(Traversal *walk, int face)
 {
     Segment *segment = walk->user;
     FaceTest test = face_test_segment(&segment->scene->faces[face], &segment->scene->planes[face], walk->origin,
@@ -89,9 +89,9 @@ static bool visit_blocker(Walk *walk, int face)
 static bool is_blocked(const Scene *scene, const Accel *accel, Vec3 from, Vec3 to)
 {
     Segment segment = {scene, to, false};
-    Walk walk = {.origin = from, .direction = vec3_sub(to, from), .limit = 1, .visit = visit_blocker, .user = &segment};
+    Traversal walk = {.origin = from, .direction = vec3_sub(to, from), .limit = 1, .visit = visit_blocker, .user = &segment};
     if (accel_has_tree(accel))
-        accel_walk(accel, &walk);
+        accel_traverse(accel, &walk);
     else
         for (int i = 0; i < scene->face_count && visit_blocker(&walk, i); i++)
             continue;

@@ -23,7 +23,7 @@ static const char *const ACCEL_NAMES[] = {"none", "bvh"};
 enum { ACCEL_KINDS = sizeof ACCELS / sizeof ACCELS[0] };
 
 /* Where every face is asked, all other work is done, too, that could be left out, but for what the reference leaves out. */
-enum { DOES_ALL = ((1 << SKIPS) - 1) & ~(1 << SKIP_LIGHT_BEHIND) };
+enum { DOES_ALL = ((1 << SKIP_KINDS) - 1) & ~(1 << SKIP_LIGHT_BEHIND) };
 
 /* How a kernel is built: `accel` is an index into ACCELS. */
 typedef struct Build {

@@ -1,5 +1,5 @@
 /* What bench error measures with: differences of linear colours, fine pictures, the truth. */
-#include "bench/bench_truth.h"
+#include "bench/bench_ground_truth.h"
 #include "trace/reference.h"
 #include "reader/scene_json.h"
 
@@ -94,16 +94,16 @@ static void fine_pictures_should_have_the_colours_of_their_grid(void)
 static void truth_should_know_how_far_off_it_is(void)
 {
     load_small("tests/scenes/many_lights.json");
-    BenchTruth truth;
+    BenchGroundTruth truth;
     BenchPicture finer;
-    TEST_ASSERT_TRUE_MESSAGE(bench_truth(&truth, &scene, &SETTINGS, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(bench_ground_truth(&truth, &scene, &SETTINGS, &error), error.text);
     TEST_ASSERT_TRUE_MESSAGE(bench_picture_fine(&finer, &scene, 300, &SETTINGS, &error), error.text);
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0, truth.check);
     TEST_ASSERT_TRUE(truth.own_error > 0 && truth.own_error < 1e-3);
     /* 22 times the rays are 10 times as close: what is left between the two is the truth's error, known to a factor. */
     double actual = bench_difference(&truth.picture, &finer).rmse;
     TEST_ASSERT_TRUE(actual < 2 * truth.own_error && actual > truth.own_error / 4);
-    bench_truth_free(&truth);
+    bench_ground_truth_free(&truth);
     bench_picture_free(&finer);
 }
 

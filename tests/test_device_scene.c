@@ -20,7 +20,7 @@ void setUp(void)
 
 void tearDown(void) { device_scene_free(&packed); }
 
-static const float *floats(const Reals *reals) { return reals->data; }
+static const float *floats(const DeviceReals *reals) { return reals->data; }
 
 /* value = NAME + NAME_LOW, to 2^-48 of it. */
 static void assert_split(double value, const float *high, const float *low)
@@ -148,8 +148,8 @@ static void double_rows_should_need_no_low_parts(void)
 static void scene_of_nothing_should_pack(void)
 {
     TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
-    TEST_ASSERT_GREATER_THAN(0, reals_bytes(&packed.lights));
-    TEST_ASSERT_GREATER_THAN(0, reals_bytes(&packed.planes));
+    TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.lights));
+    TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.planes));
 }
 
 int main(void)

@@ -19,11 +19,11 @@ void tearDown(void) {}
 static Text generated(const char *name, int size, uint64_t seed)
 {
     Error error = {0};
-    const SceneKind *kind = scene_kind_find(name, &error);
+    const GenerateKind *kind = generate_find_kind(name, &error);
     TEST_ASSERT_NOT_NULL_MESSAGE(kind, error.text);
     FILE *file = tmpfile();
     TEST_ASSERT_NOT_NULL(file);
-    TEST_ASSERT_TRUE_MESSAGE(scene_generate(kind, file, size, seed, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(generate_scene(kind, file, size, seed, &error), error.text);
     Text text = {.length = ftell(file)};
     TEST_ASSERT_GREATER_THAN(0, text.length);
     text.bytes = malloc((size_t)text.length);
@@ -110,7 +110,7 @@ static void another_seed_should_give_another_city(void)
 static void scene_kind_find_should_suggest_the_nearest(void)
 {
     Error error = {0};
-    TEST_ASSERT_NULL(scene_kind_find("meger", &error));
+    TEST_ASSERT_NULL(generate_find_kind("meger", &error));
     TEST_ASSERT_EQUAL_INT(ERROR_USAGE, error.kind);
     TEST_ASSERT_NOT_NULL(strstr(error.text, "did you mean 'menger'"));
 }

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 static char folder[64];
-static const CacheKey key = {0x1234, 0x5678};
+static const KernelCacheKey key = {0x1234, 0x5678};
 static const unsigned char binary[] = "not a kernel, but bytes";
 
 void setUp(void)
@@ -32,9 +32,9 @@ void tearDown(void)
 
 static void cache_should_give_back_what_was_stored(void)
 {
-    cache_store(key, binary, sizeof binary);
+    kernel_cache_store(key, binary, sizeof binary);
     size_t size = 0;
-    unsigned char *loaded = cache_load(key, &size);
+    unsigned char *loaded = kernel_cache_load(key, &size);
     TEST_ASSERT_NOT_NULL(loaded);
     TEST_ASSERT_EQUAL_INT(sizeof binary, size);
     TEST_ASSERT_EQUAL_MEMORY(binary, loaded, sizeof binary);
@@ -44,15 +44,15 @@ static void cache_should_give_back_what_was_stored(void)
 static void cache_should_be_empty_at_first(void)
 {
     size_t size;
-    TEST_ASSERT_NULL(cache_load(key, &size));
+    TEST_ASSERT_NULL(kernel_cache_load(key, &size));
 }
 
 static void cache_should_not_give_what_other_sources_made(void)
 {
     size_t size;
-    cache_store(key, binary, sizeof binary);
-    TEST_ASSERT_NULL(cache_load((CacheKey){key.place, key.sources + 1}, &size));
-    TEST_ASSERT_NULL(cache_load((CacheKey){key.place + 1, key.sources}, &size));
+    kernel_cache_store(key, binary, sizeof binary);
+    TEST_ASSERT_NULL(kernel_cache_load((KernelCacheKey){key.place, key.sources + 1}, &size));
+    TEST_ASSERT_NULL(kernel_cache_load((KernelCacheKey){key.place + 1, key.sources}, &size));
 }
 
 /* Changes or cuts the file at every byte: none of the results may be trusted. */
@@ -61,7 +61,7 @@ static void cache_should_not_give_what_was_damaged(void)
     char path[128];
     unsigned char whole[256];
     size_t size;
-    cache_store(key, binary, sizeof binary);
+    kernel_cache_store(key, binary, sizeof binary);
     kept_file(path, sizeof path);
     FILE *file = fopen(path, "rb");
     TEST_ASSERT_NOT_NULL(file);
@@ -75,7 +75,7 @@ static void cache_should_not_give_what_was_damaged(void)
         fwrite(whole, 1, cut ? at : length, file);
         whole[at] ^= 1;
         fclose(file);
-        TEST_ASSERT_NULL(cache_load(key, &size));
+        TEST_ASSERT_NULL(kernel_cache_load(key, &size));
     }
 }
 
@@ -83,17 +83,17 @@ static void cache_should_do_without_a_folder(void)
 {
     size_t size;
     setenv("RECTRAY_CACHE_DIR", "", 1);
-    cache_store(key, binary, sizeof binary);
-    TEST_ASSERT_NULL(cache_load(key, &size));
+    kernel_cache_store(key, binary, sizeof binary);
+    TEST_ASSERT_NULL(kernel_cache_load(key, &size));
     setenv("RECTRAY_CACHE_DIR", "/dev/null/nowhere", 1);
-    cache_store(key, binary, sizeof binary);
-    TEST_ASSERT_NULL(cache_load(key, &size));
+    kernel_cache_store(key, binary, sizeof binary);
+    TEST_ASSERT_NULL(kernel_cache_load(key, &size));
 }
 
 static void cache_hash_should_tell_texts_apart_where_they_join(void)
 {
-    uint64_t ab_c = cache_hash(cache_hash(CACHE_HASH_START, "ab"), "c");
-    uint64_t a_bc = cache_hash(cache_hash(CACHE_HASH_START, "a"), "bc");
+    uint64_t ab_c = kernel_cache_hash(kernel_cache_hash(KERNEL_CACHE_HASH_START, "ab"), "c");
+    uint64_t a_bc = kernel_cache_hash(kernel_cache_hash(KERNEL_CACHE_HASH_START, "a"), "bc");
     TEST_ASSERT_TRUE(ab_c != a_bc);
 }
 

@@ -34,7 +34,7 @@ static bool parse(const char *line)
         argv[argc++] = word;
     argv[argc] = NULL;
     error = (Error){0};
-    return options_parse(&options, command_find(COMMANDS, argv[0], &error), argc, argv, &error);
+    return options_parse(&options, options_find_command(COMMANDS, argv[0], &error), argc, argv, &error);
 }
 
 static void assert_refused(const char *line, const char *message)
@@ -180,11 +180,11 @@ static void options_should_count_the_operands(void)
 
 static void command_find_should_suggest_the_nearest(void)
 {
-    TEST_ASSERT_EQUAL_PTR(&COMMANDS[3], command_find(COMMANDS, "compare", &error));
-    TEST_ASSERT_NULL(command_find(COMMANDS, "compar", &error));
+    TEST_ASSERT_EQUAL_PTR(&COMMANDS[3], options_find_command(COMMANDS, "compare", &error));
+    TEST_ASSERT_NULL(options_find_command(COMMANDS, "compar", &error));
     TEST_ASSERT_EQUAL_STRING("there is no command 'compar'; did you mean 'compare'?", error.text);
     error = (Error){0};
-    TEST_ASSERT_NULL(command_find(COMMANDS, "photograph", &error));
+    TEST_ASSERT_NULL(options_find_command(COMMANDS, "photograph", &error));
     TEST_ASSERT_EQUAL_STRING("there is no command 'photograph'; `rectray --help` lists them", error.text);
     TEST_ASSERT_EQUAL_INT(ERROR_USAGE, error.kind);
 }

@@ -17,13 +17,13 @@ void setUp(void)
     scene = (Scene){.camera = {.position = {0, 0, 9}, .look_at = {0, 0, 0}, .up = {0, 1, 0}}};
     error = (Error){.kind = ERROR_NONE};
     build = (SceneBuild){.scene = &scene, .error = &error};
-    TEST_ASSERT_EQUAL(0, build_material(&build, (Material){.name = "m"}));
-    TEST_ASSERT_TRUE(build_object(&build, "object", (BuildObject){.transform = transform_identity()}));
+    TEST_ASSERT_EQUAL(0, scene_build_material(&build, (Material){.name = "m"}));
+    TEST_ASSERT_TRUE(scene_build_object(&build, "object", (SceneBuildObject){.transform = transform_identity()}));
 }
 
 void tearDown(void)
 {
-    build_free(&build);
+    scene_build_free(&build);
     scene_free(&scene);
 }
 
@@ -91,7 +91,7 @@ static void steps_should_apply_in_order(void)
 static bool add_points(const Vec3 *points, int count)
 {
     for (int i = 0; i < count; i++)
-        if (!build_point(&build, points[i]))
+        if (!scene_build_point(&build, points[i]))
             return false;
     return true;
 }
@@ -169,7 +169,7 @@ static void faces_should_be_centred_rounded_once_and_get_their_planes(void)
     scene.lights[0].position = vec3(1000, 2000, 3004);
     scene.light_count = 1;
     const Vec3 points[3] = {{1000.1, 2000, 3000}, {1002, 2000, 3000}, {1001, 2002, 3000}};
-    TEST_ASSERT_TRUE(add_points(points, 3) && build_face(&build, in_order, 3, -1, 0) && build_finish(&build));
+    TEST_ASSERT_TRUE(add_points(points, 3) && scene_build_face(&build, in_order, 3, -1, 0) && scene_build_finish(&build));
     Vec3 c = scene.centre;
     assert_vec3_within(0.002, vec3(1001.05, 2001, 3000), c);
     TEST_ASSERT_EQUAL(1, scene.face_count);
@@ -199,8 +199,8 @@ static void scene_centre_should_move_with_the_scene(void)
 /* The normals of a box point away from its middle, and come in the documented order of axes. */
 static void assert_box_outward(Transform transform)
 {
-    TEST_ASSERT_TRUE(build_object(&build, "box", (BuildObject){.transform = transform}));
-    TEST_ASSERT_TRUE(build_box(&build, vec3(1, 2, 3), vec3(2, 4, 6)) && build_finish(&build));
+    TEST_ASSERT_TRUE(scene_build_object(&build, "box", (SceneBuildObject){.transform = transform}));
+    TEST_ASSERT_TRUE(scene_build_box(&build, vec3(1, 2, 3), vec3(2, 4, 6)) && scene_build_finish(&build));
     TEST_ASSERT_EQUAL(6, scene.face_count);
     Vec3 middle = vec3_sub(transform_point(&transform, vec3(1.5, 3, 4.5)), scene.centre);
     for (int i = 0; i < 6; i++) {
@@ -232,9 +232,9 @@ static void box_should_stay_wound_outward_when_turned_and_mirrored(void)
 static void split_should_cut_from_vertex_0_to_2_and_keep_the_number(void)
 {
     const Vec3 bent[4] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}};
-    TEST_ASSERT_TRUE(build_object(&build, "bent", (BuildObject){.transform = transform_identity(), .split = true}));
-    TEST_ASSERT_TRUE(add_points(bent, 4) && build_face(&build, in_order, 4, -1, 0));
-    TEST_ASSERT_TRUE(build_face(&build, (const int[]){0, 1, 2}, 3, -1, 1) && build_finish(&build));
+    TEST_ASSERT_TRUE(scene_build_object(&build, "bent", (SceneBuildObject){.transform = transform_identity(), .split = true}));
+    TEST_ASSERT_TRUE(add_points(bent, 4) && scene_build_face(&build, in_order, 4, -1, 0));
+    TEST_ASSERT_TRUE(scene_build_face(&build, (const int[]){0, 1, 2}, 3, -1, 1) && scene_build_finish(&build));
     TEST_ASSERT_EQUAL(3, scene.face_count);
     static const int corners[2][3] = {{0, 1, 2}, {0, 2, 3}};
     for (int i = 0; i < 2; i++) {
@@ -248,15 +248,15 @@ static void split_should_cut_from_vertex_0_to_2_and_keep_the_number(void)
 
 static void split_should_leave_a_planar_face_whole(void)
 {
-    TEST_ASSERT_TRUE(build_object(&build, "flat", (BuildObject){.transform = transform_identity(), .split = true}));
-    TEST_ASSERT_TRUE(add_points(square, 4) && build_face(&build, in_order, 4, -1, 0));
+    TEST_ASSERT_TRUE(scene_build_object(&build, "flat", (SceneBuildObject){.transform = transform_identity(), .split = true}));
+    TEST_ASSERT_TRUE(add_points(square, 4) && scene_build_face(&build, in_order, 4, -1, 0));
     TEST_ASSERT_EQUAL(1, build.face_count);
 }
 
 static void the_front_should_stay_the_front_in_a_mirror(void)
 {
-    TEST_ASSERT_TRUE(build_object(&build, "mirrored", (BuildObject){.transform = transform_scale(vec3(-1, 1, 1))}));
-    TEST_ASSERT_TRUE(add_points(square, 4) && build_face(&build, in_order, 4, -1, 0) && build_finish(&build));
+    TEST_ASSERT_TRUE(scene_build_object(&build, "mirrored", (SceneBuildObject){.transform = transform_scale(vec3(-1, 1, 1))}));
+    TEST_ASSERT_TRUE(add_points(square, 4) && scene_build_face(&build, in_order, 4, -1, 0) && scene_build_finish(&build));
     assert_vec3_within(0, vec3(0, 0, 1), scene.planes[0].normal);
     assert_vec3_within(0, vec3_negate(scene.centre), face_vertex(&scene.faces[0], 0)); /* vertex 0 stays the first */
 }
@@ -265,9 +265,9 @@ static void finish_should_name_the_face_that_float32_cannot_hold(void)
 {
     const Vec3 points[6] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e8, 0, 0}, {1e8 + 1, 0, 0}, {1e8, 1, 0}};
     TEST_ASSERT_TRUE(add_points(points, 6));
-    TEST_ASSERT_TRUE(build_face(&build, (const int[]){0, 1, 2}, 3, -1, 70) &&
-                     build_face(&build, (const int[]){3, 4, 5}, 3, -1, 71));
-    TEST_ASSERT_FALSE(build_finish(&build));
+    TEST_ASSERT_TRUE(scene_build_face(&build, (const int[]){0, 1, 2}, 3, -1, 70) &&
+                     scene_build_face(&build, (const int[]){3, 4, 5}, 3, -1, 71));
+    TEST_ASSERT_FALSE(scene_build_finish(&build));
     TEST_ASSERT_EQUAL(70, build.fault->place); /* both are 5e7 from the centre, where a float's step is 4 */
     TEST_ASSERT_NOT_NULL(strstr(build.reason, "too small"));
 }
@@ -275,8 +275,8 @@ static void finish_should_name_the_face_that_float32_cannot_hold(void)
 static void finish_should_refuse_coordinates_beyond_1e12(void)
 {
     const Vec3 points[3] = {{0, 0, 0}, {2.1e12, 0, 0}, {0, 1e12, 0}};
-    TEST_ASSERT_TRUE(add_points(points, 3) && build_face(&build, in_order, 3, -1, 0));
-    TEST_ASSERT_FALSE(build_finish(&build));
+    TEST_ASSERT_TRUE(add_points(points, 3) && scene_build_face(&build, in_order, 3, -1, 0));
+    TEST_ASSERT_FALSE(scene_build_finish(&build));
     TEST_ASSERT_NOT_NULL(strstr(build.reason, "1e12"));
 }
 
@@ -285,7 +285,7 @@ static void finish_should_accept_a_scene_far_away_from_the_origin(void)
     scene.camera.position = vec3(1e15, 0, 9);
     scene.camera.look_at = vec3(1e15, 0, 0);
     const Vec3 points[3] = {{1e15, 0, 0}, {1e15 + 8, 0, 0}, {1e15, 8, 0}};
-    TEST_ASSERT_TRUE(add_points(points, 3) && build_face(&build, in_order, 3, -1, 0) && build_finish(&build));
+    TEST_ASSERT_TRUE(add_points(points, 3) && scene_build_face(&build, in_order, 3, -1, 0) && scene_build_finish(&build));
     TEST_ASSERT_TRUE(scene.faces[0].vertices[1][0] - scene.faces[0].vertices[0][0] == 8);
 }
 

@@ -19,10 +19,10 @@ void setUp(void)
     scene = (Scene){.camera = {.position = {0, 0, 9}, .up = {0, 1, 0}}};
     error = (Error){.kind = ERROR_NONE};
     build = (SceneBuild){.scene = &scene, .error = &error};
-    TEST_ASSERT_EQUAL(0, build_material(&build, (Material){.name = "own"}));
-    TEST_ASSERT_EQUAL(1, build_material(&build, (Material){.name = "scene"}));
+    TEST_ASSERT_EQUAL(0, scene_build_material(&build, (Material){.name = "own"}));
+    TEST_ASSERT_EQUAL(1, scene_build_material(&build, (Material){.name = "scene"}));
     TEST_ASSERT_TRUE(names_add(&build.materials, scene.materials[1].name, 1, &error));
-    TEST_ASSERT_TRUE(build_object(&build, "model", (BuildObject){.transform = transform_identity()}));
+    TEST_ASSERT_TRUE(scene_build_object(&build, "model", (SceneBuildObject){.transform = transform_identity()}));
     snprintf(folder, sizeof folder, "/tmp/rectray-test-obj-%ld", (long)getpid());
     snprintf(model, sizeof model, "%s.obj", folder);
     snprintf(library, sizeof library, "%s.mtl", folder);
@@ -30,7 +30,7 @@ void setUp(void)
 
 void tearDown(void)
 {
-    build_free(&build);
+    scene_build_free(&build);
     scene_free(&scene);
     unlink(model);
     unlink(library);
@@ -50,7 +50,7 @@ static bool read_model(const char *lines)
     char text[2048];
     snprintf(text, sizeof text, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n%s", lines);
     write_file(model, text);
-    return obj_read(&build, model);
+    return scene_obj_read(&build, model);
 }
 
 static void assert_points(int face, int a, int b, int c, int d)
@@ -128,7 +128,7 @@ static void a_library_should_serve_its_own_model_only(void)
     snprintf(text, sizeof text, "mtllib %s\nusemtl glass\nf 1 2 3\n", strrchr(library, '/') + 1);
     TEST_ASSERT_TRUE(read_model(text));
     TEST_ASSERT_EQUAL(2, build.faces[0].material);
-    TEST_ASSERT_TRUE(build_object(&build, "other", (BuildObject){.transform = transform_identity()}));
+    TEST_ASSERT_TRUE(scene_build_object(&build, "other", (SceneBuildObject){.transform = transform_identity()}));
     TEST_ASSERT_TRUE(read_model("usemtl glass\nf 1 2 3\n"));
     TEST_ASSERT_EQUAL(0, build.faces[1].material);
     assert_points(1, 4, 5, 6, 0);
@@ -145,7 +145,7 @@ static void nonplanar_faces_should_split_where_the_object_says_so(void)
 
 static void assert_fails(const char *lines, const char *place_and_reason)
 {
-    TEST_ASSERT_TRUE(build_object(&build, "again", build.object)); /* whose vertices count from 1 */
+    TEST_ASSERT_TRUE(scene_build_object(&build, "again", build.object)); /* whose vertices count from 1 */
     TEST_ASSERT_FALSE(read_model(lines));
     TEST_ASSERT_EQUAL(ERROR_INPUT, error.kind);
     TEST_ASSERT_EQUAL_STRING_LEN(model, error.text, strlen(model));
@@ -185,7 +185,7 @@ static void a_line_without_end_should_be_refused(void)
     static char text[TEXT_LINE_MAX + 100];
     memset(text, 'v', sizeof text - 1);
     write_file(model, text);
-    TEST_ASSERT_FALSE(obj_read(&build, model));
+    TEST_ASSERT_FALSE(scene_obj_read(&build, model));
     TEST_ASSERT_NOT_NULL(strstr(error.text, ":1: the line is longer than 65535 bytes"));
 }
 
@@ -197,7 +197,7 @@ static void long_files_should_be_read_across_the_buffer(void)
     for (int i = 0; i < COUNT; i++)
         fprintf(file, "v %d 0 0\nv %d.5 1 0\nv %d 0 1\nf -1 -2 -3\n", i, i, i);
     fclose(file);
-    TEST_ASSERT_TRUE_MESSAGE(obj_read(&build, model), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(scene_obj_read(&build, model), error.text);
     TEST_ASSERT_EQUAL(COUNT, build.face_count);
     TEST_ASSERT_EQUAL(3 * COUNT, build.point_count);
     for (int i = 0; i < COUNT; i++) {

@@ -237,11 +237,11 @@ static void faces_that_no_ray_can_hit_should_be_left_out(void)
     small_scene_face(&small, matt, face_at_height(-1, -1, 1, 1, 3))->front_only = 1;
     small_scene_light(&small, vec3(0, 2, -1));
     /* The first two are seen; the third one, behind the camera, might block light from its front to the light behind it. */
-    assert_skipped(SKIP_IDLE_FACE, ACCEL_NONE, 0);
+    assert_skipped(SKIP_UNREACHABLE_FACE, ACCEL_NONE, 0);
     small.lights[0].position = vec3(0, 2, 5);
-    assert_skipped(SKIP_IDLE_FACE, ACCEL_NONE, 1); /* one-sided, it lets the light through from its back */
+    assert_skipped(SKIP_UNREACHABLE_FACE, ACCEL_NONE, 1); /* one-sided, it lets the light through from its back */
     small.faces[2].front_only = 0;
-    assert_skipped(SKIP_IDLE_FACE, ACCEL_NONE, 0); /* now it blocks it */
+    assert_skipped(SKIP_UNREACHABLE_FACE, ACCEL_NONE, 0); /* now it blocks it */
 }
 
 static void scene_without_mirrors_should_need_no_code_for_them(void)

@@ -45,13 +45,13 @@ static void look(void)
     TEST_ASSERT_TRUE(survey_scene(&survey, &scene, &error));
 }
 
-static void assert_unseen(int edge_on, int back_to_camera, int behind_camera, int idle)
+static void assert_unseen(int edge_on, int back_to_camera, int behind_camera, int unreachable)
 {
     look();
     TEST_ASSERT_EQUAL_INT(edge_on, survey.edge_on);
     TEST_ASSERT_EQUAL_INT(back_to_camera, survey.back_to_camera);
     TEST_ASSERT_EQUAL_INT(behind_camera, survey.behind_camera);
-    TEST_ASSERT_EQUAL_INT(idle, survey.idle);
+    TEST_ASSERT_EQUAL_INT(unreachable, survey.unreachable);
 }
 
 static void survey_should_count_a_face_in_view_as_needed(void)

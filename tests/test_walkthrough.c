@@ -51,7 +51,7 @@ static void build(AccelKind kind)
     TEST_ASSERT_TRUE_MESSAGE(accel_build(&accel, &scene, kind, 1, &error), error.text);
 }
 
-static void record(WalkRequest request)
+static void record(WalkthroughRequest request)
 {
     walkthrough_free(&walk);
     TEST_ASSERT_TRUE_MESSAGE(walkthrough_record(&walk, &scene, &accel, "scene.json", request, &error), error.text);
@@ -123,7 +123,7 @@ static void check_pixel(const char *name, int column, int row)
     char message[128];
     snprintf(message, sizeof message, "rectray trace tests/scenes/walkthrough/%s.json --pixel %d,%d", name, column,
              row);
-    record((WalkRequest){.column = column, .row = row, .verbose = true});
+    record((WalkthroughRequest){.column = column, .row = row, .verbose = true});
     const Event *last = &walk.events[walk.count - 1];
     TEST_ASSERT_EQUAL_INT_MESSAGE(EVENT_PIXEL, last->kind, message);
     const unsigned char *expected = picture + 3 * (row * scene.screen.columns + column);
@@ -208,7 +208,7 @@ static void events_should_follow_one_another_as_a_path_does(void)
         load(scenes[s % 2]);
         build(s < 2 ? ACCEL_NONE : ACCEL_BVH);
         for (int k = 0; k < scene.screen.columns * scene.screen.rows; k++) {
-            record((WalkRequest){k % scene.screen.columns, k / scene.screen.columns, scene.grid - 1, 0, k % 2});
+            record((WalkthroughRequest){k % scene.screen.columns, k / scene.screen.columns, scene.grid - 1, 0, k % 2});
             bool told = false;
             for (long i = 0; i + 1 < walk.count; i++) {
                 const Event *event = &walk.events[i];
@@ -225,7 +225,7 @@ static void what_is_not_verbose_should_count_what_verbose_tells(void)
 {
     load("black");
     for (int k = 0; k < scene.screen.columns * scene.screen.rows; k++) {
-        WalkRequest request = {k % scene.screen.columns, k / scene.screen.columns, 0, 0, true};
+        WalkthroughRequest request = {k % scene.screen.columns, k / scene.screen.columns, 0, 0, true};
         record(request);
         Walkthrough full = walk;
         walk = (Walkthrough){0};
@@ -234,7 +234,7 @@ static void what_is_not_verbose_should_count_what_verbose_tells(void)
         long i = 0;
         for (long n = 0; n < full.count; n++) {
             const Event *event = &full.events[n];
-            bool rejected = (event->kind == EVENT_FACE && !walk_is_hit(&event->as.face.test)) ||
+            bool rejected = (event->kind == EVENT_FACE && !walkthrough_is_hit(&event->as.face.test)) ||
                             (event->kind == EVENT_OCCLUDER && event->as.occluder.test.verdict != FACE_INSIDE);
             if (rejected)
                 continue;
@@ -270,38 +270,38 @@ static void a_ray_that_hits_many_faces_should_tell_the_nearest_ones(void)
     used += snprintf(text + used, sizeof text - (size_t)used, "]}");
     error = (Error){.kind = ERROR_NONE};
     TEST_ASSERT_TRUE_MESSAGE(scene_parse(&scene, "sheets.json", text, used, &error), error.text);
-    record((WalkRequest){0});
+    record((WalkthroughRequest){0});
     int told = 0;
     for (long i = 0; i < walk.count; i++)
         if (walk.events[i].kind == EVENT_FACE) {
             told++;
-            TEST_ASSERT_TRUE(walk.events[i].as.face.test.t <= 9 + WALK_HITS_TOLD - 1 + 1e-9);
+            TEST_ASSERT_TRUE(walk.events[i].as.face.test.t <= 9 + WALKTHROUGH_HITS_TOLD - 1 + 1e-9);
             TEST_ASSERT_TRUE(walk.events[i].as.face.face > walk.events[i - 1].as.face.face || told == 1);
         }
-    TEST_ASSERT_EQUAL_INT(WALK_HITS_TOLD, told);
+    TEST_ASSERT_EQUAL_INT(WALKTHROUGH_HITS_TOLD, told);
 }
 
 static void a_place_should_know_the_ray_the_hit_and_the_light(void)
 {
     load("black");
-    record((WalkRequest){.column = 3, .row = 12}); /* the floor, which is a mirror */
-    WalkPlace place = {0};
+    record((WalkthroughRequest){.column = 3, .row = 12}); /* the floor, which is a mirror */
+    WalkthroughPlace place = {0};
     for (long i = 0; i < walk.count; i++) {
         const Event *event = &walk.events[i];
-        walk_follow(&place, &walk, event);
+        walkthrough_follow(&place, &walk, event);
         if (event->kind == EVENT_SAMPLE)
-            TEST_ASSERT_EQUAL_INT(0, walk_hit_number(&place));
+            TEST_ASSERT_EQUAL_INT(0, walkthrough_hit_number(&place));
         if (event->kind == EVENT_HIT) {
             Vec3 point = vec3_add(place.ray.origin, vec3_scale(event->as.hit.test.t, place.ray.direction));
             TEST_ASSERT_EQUAL_DOUBLE(event->as.hit.point.x, point.x);
-            TEST_ASSERT_EQUAL_INT(event->as.hit.step + 1, walk_hit_number(&place));
+            TEST_ASSERT_EQUAL_INT(event->as.hit.step + 1, walkthrough_hit_number(&place));
         }
         if (event->kind == EVENT_SHADED)
             TEST_ASSERT_EQUAL_DOUBLE(event->as.shaded.weight, place.weight);
         if (event->kind == EVENT_TERMS)
             TEST_ASSERT_EQUAL_INT(event->as.terms.light, place.light->as.light.light);
     }
-    TEST_ASSERT_TRUE(walk_hit_number(&place) > 1);
+    TEST_ASSERT_TRUE(walkthrough_hit_number(&place) > 1);
 }
 
 int main(void)

@@ -33,7 +33,7 @@ static void load(const char *path, AccelKind kind)
     TEST_ASSERT_TRUE_MESSAGE(accel_build(&accel, &scene, kind, 1, &error), error.text);
 }
 
-static void write_text(WalkRequest request, bool colour)
+static void write_text(WalkthroughRequest request, bool colour)
 {
     size_t size = 0;
     free(text);
@@ -42,7 +42,7 @@ static void write_text(WalkRequest request, bool colour)
     TEST_ASSERT_TRUE_MESSAGE(walkthrough_record(&walk, &scene, &accel, "scene.json", request, &error), error.text);
     FILE *out = open_memstream(&text, &size);
     TEST_ASSERT_NOT_NULL(out);
-    TEST_ASSERT_TRUE(walkthrough_write_text(out, &walk, (WalkStyle){.colour = colour}, &error));
+    TEST_ASSERT_TRUE(walkthrough_write_text(out, &walk, (WalkthroughStyle){.colour = colour}, &error));
     TEST_ASSERT_EQUAL_INT(0, fclose(out));
 }
 
@@ -59,7 +59,7 @@ static void check_lines(const char *message)
         TEST_ASSERT_NULL_MESSAGE(strstr(text, ugly[i]), message);
 }
 
-static void check_last_line(WalkRequest request, const char *message)
+static void check_last_line(WalkthroughRequest request, const char *message)
 {
     char expected[64];
     const unsigned char *rgb = walk.events[walk.count - 1].as.pixel.rgb;
@@ -78,7 +78,7 @@ static void text_should_be_tidy_and_end_with_the_pixel(void)
         snprintf(path, sizeof path, "tests/scenes/walkthrough/%s.json", names[k / 4]);
         load(path, k % 4 < 2 ? ACCEL_NONE : ACCEL_BVH);
         for (int p = 0; p < scene.screen.columns * scene.screen.rows; p++) {
-            WalkRequest request = {p % scene.screen.columns, p / scene.screen.columns, 0, 0, k % 2};
+            WalkthroughRequest request = {p % scene.screen.columns, p / scene.screen.columns, 0, 0, k % 2};
             snprintf(message, sizeof message, "rectray trace %s --pixel %d,%d%s%s", path, request.column, request.row,
                      k % 4 < 2 ? "" : " --accel bvh", k % 2 ? " --verbose" : "");
             write_text(request, false);
@@ -94,7 +94,7 @@ static void text_of_a_scene_with_six_faces_should_fit_on_two_screens(void)
     scene.grid = 1;
     scene.light_count = 1;
     scene.shading.max_bounces = 0;
-    write_text((WalkRequest){.column = 8, .row = 6}, false);
+    write_text((WalkthroughRequest){.column = 8, .row = 6}, false);
     int lines = 0;
     for (const char *c = text; *c; c++)
         lines += *c == '\n';
@@ -115,7 +115,7 @@ static void text_of_a_large_scene_should_be_as_short(void)
     }
     scene.face_count = MANY;
     scene.grid = 1;
-    write_text((WalkRequest){.column = 8, .row = 6}, false);
+    write_text((WalkthroughRequest){.column = 8, .row = 6}, false);
     TEST_ASSERT_LESS_THAN(20000, strlen(text));
     TEST_ASSERT_LESS_THAN(200, walk.count);
     check_lines("many faces");
@@ -133,7 +133,7 @@ static void a_face_in_two_leaves_should_be_the_nearest_once(void)
 {
     load("scenes/original.json", ACCEL_KDTREE);
     for (int verbose = 0; verbose < 2; verbose++) {
-        write_text((WalkRequest){.column = 40, .row = 40, .verbose = verbose}, false);
+        write_text((WalkthroughRequest){.column = 40, .row = 40, .verbose = verbose}, false);
         TEST_ASSERT_EQUAL_INT(1, occurrences("+   nearest\n"));
         TEST_ASSERT_EQUAL_INT(1, occurrences("+   met again\n"));
     }
@@ -142,7 +142,7 @@ static void a_face_in_two_leaves_should_be_the_nearest_once(void)
 static void text_should_show_more_digits_far_from_the_origin(void)
 {
     load("tests/scenes/walkthrough/ambient.json", ACCEL_NONE);
-    write_text((WalkRequest){.column = 8, .row = 6}, false);
+    write_text((WalkthroughRequest){.column = 8, .row = 6}, false);
     TEST_ASSERT_NOT_NULL(strstr(text, "1000003"));
     TEST_ASSERT_NOT_NULL(strstr(text, "as seen from its own centre"));
     TEST_ASSERT_NULL(strstr(text, "1e+06"));
@@ -151,7 +151,7 @@ static void text_should_show_more_digits_far_from_the_origin(void)
 static void colours_should_be_escape_sequences_and_nothing_else(void)
 {
     load("tests/scenes/walkthrough/black.json", ACCEL_NONE);
-    WalkRequest request = {.column = 3, .row = 12};
+    WalkthroughRequest request = {.column = 3, .row = 12};
     write_text(request, false);
     char *plain = text;
     text = NULL;

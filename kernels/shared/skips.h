@@ -13,10 +13,10 @@ enum {
     SKIP_BACK_FACE,     /* face tests: the back of a closed box */
     SKIPS_COUNTED,
     SKIP_LIGHT_BLACK = SKIPS_COUNTED, /* lights without a colour */
-    SKIP_IDLE_FACE,     /* faces that no ray can hit */
+    SKIP_UNREACHABLE_FACE,     /* faces that no ray can hit */
     SKIP_MIRRORS,       /* the look for reflections, where nothing reflects: 1 */
     SKIP_TREE,          /* the tree, where there are few faces: 1 */
-    SKIPS
+    SKIP_KINDS
 };
 
 #endif

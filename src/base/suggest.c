@@ -29,7 +29,7 @@ static int word_distance(const char *a, const char *b)
     return d[m][n];
 }
 
-const char *nearest_word(const char *word, const char *const *known)
+const char *suggest_word(const char *word, const char *const *known)
 {
     if (strlen(word) > LONGEST)
         return NULL;

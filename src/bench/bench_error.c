@@ -2,7 +2,7 @@
 #include "bench/bench_error.h"
 
 #include "bench/bench_measure.h"
-#include "bench/bench_truth.h"
+#include "bench/bench_ground_truth.h"
 #include "reader/scene_json.h"
 
 #include <assert.h>
@@ -92,7 +92,7 @@ static double expected_ms(const BenchError *result, int index)
     return before->ms * choice->grid * choice->grid / (before->grid * before->grid);
 }
 
-static bool measure_error(BenchError *result, int index, const Scene *scene, const BenchTruth *truth,
+static bool measure_error(BenchError *result, int index, const Scene *scene, const BenchGroundTruth *truth,
                           const BenchPlan *plan, Error *error)
 {
     ErrorChoice *choice = &result->choices[index];
@@ -178,7 +178,7 @@ static bool trace_causes(BenchPicture *pictures, const Scene *scene, const Bench
            bench_picture_fine(&pictures[DEEP], &whole, CAUSE_GRID, &exact, error);
 }
 
-static bool find_causes(ErrorCauses *causes, const Scene *scene, const BenchTruth *truth, const BenchPlan *plan,
+static bool find_causes(ErrorCauses *causes, const Scene *scene, const BenchGroundTruth *truth, const BenchPlan *plan,
                         Error *error)
 {
     BenchPicture pictures[PICTURES] = {{0}};
@@ -234,15 +234,15 @@ static bool reflects(const Scene *scene)
 
 static bool measure(BenchError *result, const Scene *scene, const BenchPlan *plan, Times *times, Error *error)
 {
-    BenchTruth truth;
-    bool ok = bench_truth(&truth, scene, &plan->settings, error);
+    BenchGroundTruth truth;
+    bool ok = bench_ground_truth(&truth, scene, &plan->settings, error);
     result->truth_error = truth.own_error;
     result->truth_check = truth.check;
     for (int i = 0; i < result->choice_count && ok; i++)
         ok = measure_error(result, i, scene, &truth, plan, error);
     ok = ok && measure_times(result, scene, plan, times, error) &&
          find_causes(&result->causes, scene, &truth, plan, error);
-    bench_truth_free(&truth);
+    bench_ground_truth_free(&truth);
     if (ok)
         find_front(result);
     return ok;

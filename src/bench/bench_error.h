@@ -45,7 +45,7 @@ typedef struct BenchError {
     BenchScene scene;
     int faces, bounces;
     bool adaptive; /* so is the default: the scene says so, and no grid was given */
-    double truth_error, truth_check; /* see bench_truth.h */
+    double truth_error, truth_check; /* see bench_ground_truth.h */
     ErrorChoice choices[ERROR_MAX_CHOICES];
     int choice_count;
     ErrorCauses causes;

@@ -50,7 +50,7 @@ static void add_peer(cJSON *object, const BenchTrace *t)
 static void add_skips(cJSON *object, const BenchTrace *t)
 {
     cJSON *skips = cJSON_AddObjectToObject(object, "skipped");
-    for (int skip = 0; skip < SKIPS; skip++) {
+    for (int skip = 0; skip < SKIP_KINDS; skip++) {
         const BenchSkip *s = &t->skips[skip];
         if (s->count == 0)
             continue;

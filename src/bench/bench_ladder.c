@@ -24,12 +24,12 @@ const BenchRung bench_ladder[] = {
 /* Generates the scene's file, KIND-SIZE.json in the folder. */
 static bool generate(BenchScene *scene, const char *kind_name, int size, const BenchFolder *folder, Error *error)
 {
-    const SceneKind *kind = scene_kind_find(kind_name, error);
+    const GenerateKind *kind = generate_find_kind(kind_name, error);
     if (!kind)
         return false;
     snprintf(scene->path, sizeof scene->path, "%s/%s-%d.json", folder->path, kind_name, size);
     FILE *out = fopen(scene->path, "w");
-    bool made = out && scene_generate(kind, out, size, 0, error);
+    bool made = out && generate_scene(kind, out, size, 0, error);
     if (out && fclose(out) == 0 && made)
         return true;
     return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", scene->path, strerror(errno));

@@ -104,7 +104,7 @@ static void print_skips(FILE *out, const Bench *bench)
           "| --- | --- | ---: | ---: | ---: | ---: | --- |\n",
           out);
     for (int i = 0; i < bench->trace_count; i++)
-        for (int skip = 0; skip < SKIPS; skip++) {
+        for (int skip = 0; skip < SKIP_KINDS; skip++) {
             const BenchSkip *s = &bench->traces[i].skips[skip];
             if (s->count == 0)
                 continue;

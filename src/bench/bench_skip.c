@@ -44,7 +44,7 @@ static bool measure_skip(BenchSkip *result, int skip, const Scene *scene, Sides 
     return true;
 }
 
-bool bench_skips(BenchSkip skips[SKIPS], const RenderReport *report, const Scene *scene, const BenchPlan *plan, Error *error)
+bool bench_skips(BenchSkip skips[SKIP_KINDS], const RenderReport *report, const Scene *scene, const BenchPlan *plan, Error *error)
 {
     size_t bytes = (size_t)scene->screen.columns * (size_t)scene->screen.rows * 3;
     Sides sides = {.left = {scene->screen.columns, scene->screen.rows, malloc(bytes)}};
@@ -52,7 +52,7 @@ bool bench_skips(BenchSkip skips[SKIPS], const RenderReport *report, const Scene
     bool ok = (sides.left.rgb && sides.done.rgb) || error_memory(error, "two pictures");
     sides.held = ok ? opencl_hold(scene, &plan->settings, error) : NULL;
     ok = sides.held != NULL;
-    for (int skip = 0; ok && skip < SKIPS; skip++) {
+    for (int skip = 0; ok && skip < SKIP_KINDS; skip++) {
         skips[skip].count = report->skipped[skip];
         if (skips[skip].count > 0)
             ok = measure_skip(&skips[skip], skip, scene, &sides, plan, error);

@@ -22,7 +22,7 @@ typedef struct BenchTrace {
     double peer_trace_ms, peer_build_ms, peer_share; /* share: of the time, inside the peer's own code */
     double peer_bytes;
     RayCounts peer_rays;
-    BenchSkip skips[SKIPS];
+    BenchSkip skips[SKIP_KINDS];
     long long differing, far_off; /* pixels of the two pictures that differ, and that do by more than 1 of 255 */
 } BenchTrace;
 

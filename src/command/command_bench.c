@@ -25,7 +25,7 @@ static const struct {
 
 /* --- Measuring --- */
 
-static void tell(const Options *options, const char *what, const char *name)
+static void announce(const Options *options, const char *what, const char *name)
 {
     if (!options->quiet)
         fprintf(stderr, "%s %s\n", what, name);
@@ -58,7 +58,7 @@ static bool measure_ladder(Bench *bench, const Options *options, Error *error)
 {
     for (const BenchRung *rung = bench_ladder; rung->name; rung++) {
         BenchScene scene;
-        tell(options, "tracing", rung->name);
+        announce(options, "tracing", rung->name);
         if (!rung_scene(rung, bench, options, &scene, error) ||
             !bench_trace(&bench->traces[bench->trace_count], &scene, &bench->plan, error))
             return false;
@@ -74,7 +74,7 @@ static bool measure_scaling(Bench *bench, const Options *options, Error *error)
         char name[32];
         snprintf(name, sizeof name, "city-%d", cities[i]);
         BenchScene scene;
-        tell(options, "tracing", name);
+        announce(options, "tracing", name);
         BenchRung rung = {.name = name, .kind = "city", .size = cities[i]};
         if (!rung_scene(&rung, bench, options, &scene, error) ||
             !bench_trace(&bench->scaling[bench->scaling_count], &scene, &bench->plan, error))
@@ -90,7 +90,7 @@ static bool measure_processes(Bench *bench, const Options *options, Error *error
         const BenchRung *rung = &bench_ladder[process_rungs[i].rung];
         BenchProcess *result = &bench->processes[bench->process_count++];
         BenchScene scene;
-        tell(options, "rendering", rung->name);
+        announce(options, "rendering", rung->name);
         if (!rung_scene(rung, bench, options, &scene, error))
             return false;
         scene.columns = process_rungs[i].columns;
@@ -119,13 +119,13 @@ static bool measure_scenes(Bench *bench, const Options *options, Error *error)
 {
     BenchScene scenes[BENCH_MAX_SCENES];
     for (int i = 0; i < options->operand_count; i++, bench->process_count++) {
-        tell(options, "rendering", options->operands[i]);
+        announce(options, "rendering", options->operands[i]);
         if (!named_scene(options, i, &scenes[i], error) ||
             !bench_process(&bench->processes[i], &scenes[i], &bench->plan, error))
             return false;
     }
     for (int i = 0; i < options->operand_count; i++, bench->trace_count++) {
-        tell(options, "tracing", options->operands[i]);
+        announce(options, "tracing", options->operands[i]);
         if (!bench_trace(&bench->traces[i], &scenes[i], &bench->plan, error))
             return false;
     }

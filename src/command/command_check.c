@@ -98,7 +98,7 @@ static int print_skippable_faces(const Survey *survey)
     return print_count(survey->edge_on, "for primary rays: the camera is in the plane") +
            print_count(survey->back_to_camera, "for primary rays: one-sided, with the camera behind") +
            print_count(survey->behind_camera, "for primary rays: behind the camera") +
-           print_count(survey->idle, "of these altogether: nothing else sees them, and they block no light");
+           print_count(survey->unreachable, "of these altogether: nothing else sees them, and they block no light");
 }
 
 /* Every other face of a closed box. False without memory. */

@@ -5,12 +5,12 @@
 
 #include <string.h>
 
-static bool write_file(const SceneKind *kind, const Options *options, Error *error)
+static bool write_file(const GenerateKind *kind, const Options *options, Error *error)
 {
     Output output;
     if (!output_open(&output, options->output, "the scene", error))
         return false;
-    if (scene_generate(kind, output.file, options->scene_size, (uint64_t)options->seed, error))
+    if (generate_scene(kind, output.file, options->scene_size, (uint64_t)options->seed, error))
         return output_commit(&output, error);
     output_abort(&output);
     return false;
@@ -18,7 +18,7 @@ static bool write_file(const SceneKind *kind, const Options *options, Error *err
 
 bool command_generate(const Options *options, Error *error)
 {
-    const SceneKind *kind = scene_kind_find(options->operands[0], error);
+    const GenerateKind *kind = generate_find_kind(options->operands[0], error);
     if (!kind)
         return false;
     if (options->scene_size < 1)
@@ -28,5 +28,5 @@ bool command_generate(const Options *options, Error *error)
                          kind->size_means);
     if (options->output && strcmp(options->output, "-") != 0)
         return write_file(kind, options, error);
-    return scene_generate(kind, stdout, options->scene_size, (uint64_t)options->seed, error);
+    return generate_scene(kind, stdout, options->scene_size, (uint64_t)options->seed, error);
 }

@@ -10,8 +10,8 @@
 
 #include <string.h>
 
-/* To add a format: its writer, its name in WalkFormat and set_format (option_table), its line here in the same order. */
-static WalkWriter *const writers[] = {walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj,
+/* To add a format: its writer, its name in WalkthroughFormat and set_format (option_table), its line here in the same order. */
+static WalkthroughWriter *const writers[] = {walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj,
                                       walkthrough_write_svg};
 
 static bool check_request(const Options *options, const Scene *scene, Error *error)
@@ -32,8 +32,8 @@ static bool check_request(const Options *options, const Scene *scene, Error *err
 
 static bool write_file(const Options *options, const Walkthrough *walk, Error *error)
 {
-    WalkWriter *writer = writers[options->format];
-    WalkStyle style = {.with_scene = options->with_scene};
+    WalkthroughWriter *writer = writers[options->format];
+    WalkthroughStyle style = {.with_scene = options->with_scene};
     const char *path = options->output;
     if (!path || strcmp(path, "-") == 0) {
         style.colour = ink_wants_colour(stdout);
@@ -55,9 +55,9 @@ static void note_unused(const Options *options)
 {
     static const char *const formats[] = {"text", "json", "obj", "svg"};
     const char *format = formats[options->format];
-    if (options->with_scene && options->format != WALK_OBJ)
+    if (options->with_scene && options->format != WALKTHROUGH_OBJ)
         fprintf(stderr, "rectray: note: --with-scene does nothing with --format %s\n", format);
-    if (options->verbose && (options->format == WALK_OBJ || options->format == WALK_SVG))
+    if (options->verbose && (options->format == WALKTHROUGH_OBJ || options->format == WALKTHROUGH_SVG))
         fprintf(stderr, "rectray: note: --verbose does nothing with --format %s\n", format);
 }
 
@@ -69,7 +69,7 @@ static AccelKind accel_kind(const Options *options)
 
 static bool trace(const Options *options, const Scene *scene, Error *error)
 {
-    WalkRequest request = {
+    WalkthroughRequest request = {
         .column = options->pixel_column,
         .row = options->pixel_row,
         .i = options->sample_i,

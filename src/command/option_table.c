@@ -89,11 +89,11 @@ static bool set_accel(Options *o, const char *value)
     return index >= 0;
 }
 
-/* The number of the skip that the first `length` characters name; SKIPS where they name none. */
+/* The number of the skip that the first `length` characters name; SKIP_KINDS where they name none. */
 static int skip_number(const char *name, size_t length)
 {
     int skip = 0;
-    while (skip < SKIPS && (strncmp(skip_texts[skip].name, name, length) != 0 || skip_texts[skip].name[length] != '\0'))
+    while (skip < SKIP_KINDS && (strncmp(skip_texts[skip].name, name, length) != 0 || skip_texts[skip].name[length] != '\0'))
         skip++;
     return skip;
 }
@@ -102,13 +102,13 @@ static int skip_number(const char *name, size_t length)
 static bool set_no_skip(Options *o, const char *value)
 {
     if (strcmp(value, "all") == 0) {
-        o->settings.no_skip = (1u << SKIPS) - 1;
+        o->settings.no_skip = (1u << SKIP_KINDS) - 1;
         return true;
     }
     for (const char *name = value;; name++) {
         size_t length = strcspn(name, ",");
         int skip = skip_number(name, length);
-        if (skip == SKIPS)
+        if (skip == SKIP_KINDS)
             return false;
         o->settings.no_skip |= 1u << skip;
         name += length;
@@ -161,7 +161,7 @@ static bool set_format(Options *o, const char *value)
 {
     static const char *const words[] = {"text", "json", "obj", "svg", NULL};
     int index = word_index(value, words);
-    o->format = (WalkFormat)index;
+    o->format = (WalkthroughFormat)index;
     return index >= 0;
 }
 

@@ -9,7 +9,7 @@
 enum { MAX_OPERANDS = 16 };
 
 /* What a walkthrough can be printed as; the words are in option_table.c. */
-typedef enum WalkFormat { WALK_TEXT, WALK_JSON, WALK_OBJ, WALK_SVG } WalkFormat;
+typedef enum WalkthroughFormat { WALKTHROUGH_TEXT, WALKTHROUGH_JSON, WALKTHROUGH_OBJ, WALKTHROUGH_SVG } WalkthroughFormat;
 
 /* Whether each pixel gets the whole grid, or only where it needs it. */
 typedef enum SamplingChoice { SAMPLING_OF_SCENE, SAMPLING_UNIFORM, SAMPLING_ADAPTIVE } SamplingChoice;
@@ -35,7 +35,7 @@ typedef struct Options {
     int repeats;          /* of a measurement; 0: not given */
     int scene_size, seed; /* of a generated scene; size 0: not given */
     int pixel_column, pixel_row, sample_i, sample_j; /* of the walkthrough */
-    WalkFormat format;
+    WalkthroughFormat format;
     StatsFormat stats;
     ProgressMode progress;
     bool precision_given, pixel_given;

@@ -11,7 +11,7 @@
 
 enum { MAX_OPTIONS = 32, LONG_BASE = 256 }; /* getopt_long returns LONG_BASE + place in the table */
 
-/* The names of the commands, or of one command's options, as nearest_word takes them. */
+/* The names of the commands, or of one command's options, as suggest_word takes them. */
 typedef struct WordList {
     const char *word[MAX_OPTIONS + 1];
     int count;
@@ -23,7 +23,7 @@ static void words_add(WordList *words, const char *word)
     words->word[words->count++] = word;
 }
 
-const Command *command_find(const Command *commands, const char *name, Error *error)
+const Command *options_find_command(const Command *commands, const char *name, Error *error)
 {
     WordList words = {.count = 0};
     for (const Command *command = commands; command->name; command++) {
@@ -31,7 +31,7 @@ const Command *command_find(const Command *commands, const char *name, Error *er
             return command;
         words_add(&words, command->name);
     }
-    const char *nearest = nearest_word(name, words.word);
+    const char *nearest = suggest_word(name, words.word);
     if (nearest)
         error_set(error, ERROR_USAGE, "there is no command '%s'; did you mean '%s'?", name, nearest);
     else
@@ -125,7 +125,7 @@ static bool unknown_word(const Command *command, const char *word, Error *error)
             return error_set(error, ERROR_USAGE, "--%s could be --%s or --%s", name, first, option->name);
         first = option->name;
     }
-    const char *nearest = nearest_word(name, words.word);
+    const char *nearest = suggest_word(name, words.word);
     if (nearest)
         return error_set(error, ERROR_USAGE, "%s has no option --%s; did you mean --%s?", command->name, name, nearest);
     return error_set(error, ERROR_USAGE, "%s has no option --%s; `rectray %s --help` lists its options", command->name,

@@ -5,8 +5,6 @@
 #include "base/error.h"
 #include "command/option_table.h"
 
-#include <stdio.h>
-
 typedef struct Command {
     const char *name;
     const char *operands; /* as help shows them: "SCENE" */
@@ -17,7 +15,7 @@ typedef struct Command {
 
 /* The command of that name in a table that ends in a NULL name; NULL, with an ERROR_USAGE that suggests the nearest one,
  * where there is none. */
-const Command *command_find(const Command *commands, const char *name, Error *error);
+const Command *options_find_command(const Command *commands, const char *name, Error *error);
 
 /* Reads argv[1], argv[2], ... (argv[0] is the command's name). Every error is an ERROR_USAGE that names the option, its
  * value and the cure. With --help or --version on the line the operands are not looked at. May reorder argv. */
@@ -25,9 +23,5 @@ bool options_parse(Options *options, const Command *command, int argc, char **ar
 
 /* Tells, in a line each on stderr, which of the given options do nothing with the backend that was chosen. */
 void options_note_unused(const Options *options);
-
-/* What `rectray COMMAND --help` and `rectray --help` print. */
-void command_print_help(FILE *out, const Command *command);
-void commands_print_help(FILE *out, const Command *commands);
 
 #endif

@@ -19,7 +19,7 @@ typedef struct Count {
     uint64_t count;
 } Count;
 
-enum { PHASES = 9, COUNTS = 6 + SKIPS };
+enum { PHASES = 9, COUNTS = 6 + SKIP_KINDS };
 
 typedef struct Lists {
     Phase phases[PHASES];
@@ -46,8 +46,8 @@ static Lists lists_of(const Stats *stats)
                    {"tests", "box", "box tests", report->box_tests},
                    {"tests", "face", "face tests", report->face_tests}},
     };
-    for (int skip = 0; skip < SKIPS; skip++)
-        lists.counts[COUNTS - SKIPS + skip] =
+    for (int skip = 0; skip < SKIP_KINDS; skip++)
+        lists.counts[COUNTS - SKIP_KINDS + skip] =
             (Count){"skipped", skip_texts[skip].name, skip_texts[skip].words, report->skipped[skip]};
     return lists;
 }

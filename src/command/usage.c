@@ -1,5 +1,5 @@
 /* Prints the help of a command from the tables of commands and options. */
-#include "command/options.h"
+#include "command/usage.h"
 
 enum { HELP_COLUMN = 28 }; /* where the explanation of an option begins */
 
@@ -12,7 +12,7 @@ static void print_option(FILE *out, const Option *option)
     fprintf(out, "%*s%s\n", HELP_COLUMN > width ? HELP_COLUMN - width : 1, "", option->help);
 }
 
-void command_print_help(FILE *out, const Command *command)
+void usage_print_command(FILE *out, const Command *command)
 {
     fprintf(out, "usage: rectray %s%s%s [options]\n\n%s\n\noptions:\n", command->name, command->operands[0] ? " " : "",
             command->operands, command->summary);
@@ -21,7 +21,7 @@ void command_print_help(FILE *out, const Command *command)
             print_option(out, option);
 }
 
-void commands_print_help(FILE *out, const Command *commands)
+void usage_print_commands(FILE *out, const Command *commands)
 {
     fprintf(out, "usage: rectray COMMAND ...\n\ncommands:\n");
     for (const Command *command = commands; command->name; command++)

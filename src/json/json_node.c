@@ -7,14 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-Node node_new(bool *failed)
+JsonNode json_node_new(bool *failed)
 {
-    Node node = {cJSON_CreateObject(), failed};
+    JsonNode node = {cJSON_CreateObject(), failed};
     *failed = *failed || !node.object;
     return node;
 }
 
-static cJSON *put(Node node, const char *name, cJSON *item)
+static cJSON *put(JsonNode node, const char *name, cJSON *item)
 {
     if (item && cJSON_AddItemToObject(node.object, name, item))
         return item;
@@ -23,7 +23,7 @@ static cJSON *put(Node node, const char *name, cJSON *item)
     return NULL;
 }
 
-static cJSON *append(Node array, cJSON *item)
+static cJSON *append(JsonNode array, cJSON *item)
 {
     if (item && cJSON_AddItemToArray(array.object, item))
         return item;
@@ -39,20 +39,20 @@ static cJSON *number_of(double x)
     return isfinite(x) ? cJSON_CreateRaw(digits) : cJSON_CreateNull();
 }
 
-void node_number(Node node, const char *name, double x)
+void json_node_number(JsonNode node, const char *name, double x)
 {
     put(node, name, number_of(x));
 }
 
-void node_vector(Node node, const char *name, Vec3 v)
+void json_node_vector(JsonNode node, const char *name, Vec3 v)
 {
-    Node array = node_array(node, name);
-    node_append_number(array, v.x);
-    node_append_number(array, v.y);
-    node_append_number(array, v.z);
+    JsonNode array = json_node_array(node, name);
+    json_node_append_number(array, v.x);
+    json_node_append_number(array, v.y);
+    json_node_append_number(array, v.z);
 }
 
-void node_text(Node node, const char *name, const char *text)
+void json_node_text(JsonNode node, const char *name, const char *text)
 {
     char *copy = strdup(text);
     if (copy)
@@ -61,35 +61,35 @@ void node_text(Node node, const char *name, const char *text)
     free(copy);
 }
 
-void node_bool(Node node, const char *name, bool value)
+void json_node_bool(JsonNode node, const char *name, bool value)
 {
     put(node, name, cJSON_CreateBool(value));
 }
 
-Node node_object(Node node, const char *name)
+JsonNode json_node_object(JsonNode node, const char *name)
 {
-    return (Node){put(node, name, cJSON_CreateObject()), node.failed};
+    return (JsonNode){put(node, name, cJSON_CreateObject()), node.failed};
 }
 
-Node node_array(Node node, const char *name)
+JsonNode json_node_array(JsonNode node, const char *name)
 {
-    return (Node){put(node, name, cJSON_CreateArray()), node.failed};
+    return (JsonNode){put(node, name, cJSON_CreateArray()), node.failed};
 }
 
-void node_append_number(Node array, double x)
+void json_node_append_number(JsonNode array, double x)
 {
     append(array, number_of(x));
 }
 
-void node_append_vector(Node array, Vec3 v)
+void json_node_append_vector(JsonNode array, Vec3 v)
 {
-    Node element = {append(array, cJSON_CreateArray()), array.failed};
-    node_append_number(element, v.x);
-    node_append_number(element, v.y);
-    node_append_number(element, v.z);
+    JsonNode element = {append(array, cJSON_CreateArray()), array.failed};
+    json_node_append_number(element, v.x);
+    json_node_append_number(element, v.y);
+    json_node_append_number(element, v.z);
 }
 
-Node node_append_object(Node array)
+JsonNode json_node_append_object(JsonNode array)
 {
-    return (Node){append(array, cJSON_CreateObject()), array.failed};
+    return (JsonNode){append(array, cJSON_CreateObject()), array.failed};
 }

@@ -9,26 +9,26 @@
 #include <stdbool.h>
 
 /* An object being filled. A failure, which is want of memory, sets *failed and leaves the member out. */
-typedef struct Node {
+typedef struct JsonNode {
     cJSON *object;
     bool *failed;
-} Node;
+} JsonNode;
 
-Node node_new(bool *failed);
+JsonNode json_node_new(bool *failed);
 
 /* JSON has no infinity: null. */
-void node_number(Node node, const char *name, double x);
-void node_vector(Node node, const char *name, Vec3 v); /* [x, y, z] */
-void node_text(Node node, const char *name, const char *text); /* what is not UTF-8 becomes '?' */
-void node_bool(Node node, const char *name, bool value);
+void json_node_number(JsonNode node, const char *name, double x);
+void json_node_vector(JsonNode node, const char *name, Vec3 v); /* [x, y, z] */
+void json_node_text(JsonNode node, const char *name, const char *text); /* what is not UTF-8 becomes '?' */
+void json_node_bool(JsonNode node, const char *name, bool value);
 
 /* An empty object, or an empty array, as a member. */
-Node node_object(Node node, const char *name);
-Node node_array(Node node, const char *name);
+JsonNode json_node_object(JsonNode node, const char *name);
+JsonNode json_node_array(JsonNode node, const char *name);
 
 /* The next element of an array. */
-void node_append_number(Node array, double x);
-void node_append_vector(Node array, Vec3 v);
-Node node_append_object(Node array);
+void json_node_append_number(JsonNode array, double x);
+void json_node_append_vector(JsonNode array, Vec3 v);
+JsonNode json_node_append_object(JsonNode array);
 
 #endif

@@ -49,7 +49,7 @@ static bool fail_unknown(const Json *json, const cJSON *member, const JsonMember
         snprintf(known + length, sizeof known - length, "%s%s", i ? ", " : "", members[i].name);
         names[i] = members[i].name;
     }
-    const char *nearest = nearest_word(member->string, names);
+    const char *nearest = suggest_word(member->string, names);
     if (!nearest)
         return json_fail_key(json, member, "unknown key; known here: %s", known);
     return json_fail_key(json, member, "unknown key; did you mean \"%s\"? (known here: %s)", nearest, known);

@@ -16,13 +16,13 @@ enum { MIN_PARALLEL = 1 << 14 }; /* fewer faces are packed sooner than threads s
 /* The longest path has its place on the device. */
 typedef char PathMaxIsTheScenes[PATH_MAX == SCENE_MAX_BOUNCES + 1 ? 1 : -1];
 
-size_t reals_bytes(const Reals *reals)
+size_t device_reals_bytes(const DeviceReals *reals)
 {
     return reals->count * (reals->precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float));
 }
 
 /* OpenCL has no buffer of zero bytes, so that rows of nothing get one value. */
-static bool reals_allocate(Reals *reals, size_t rows, size_t row, Precision precision, Error *error)
+static bool reals_allocate(DeviceReals *reals, size_t rows, size_t row, Precision precision, Error *error)
 {
     reals->precision = precision;
     reals->count = rows > 0 ? rows * row : 1;
@@ -30,7 +30,7 @@ static bool reals_allocate(Reals *reals, size_t rows, size_t row, Precision prec
     return reals->data || error_memory(error, "the scene for the device");
 }
 
-static void put(Reals *reals, size_t index, double value)
+static void put(DeviceReals *reals, size_t index, double value)
 {
     if (reals->precision == PRECISION_DOUBLE)
         ((double *)reals->data)[index] = value;
@@ -38,7 +38,7 @@ static void put(Reals *reals, size_t index, double value)
         ((float *)reals->data)[index] = (float)value;
 }
 
-static void put_vec3(Reals *reals, size_t index, Vec3 v)
+static void put_vec3(DeviceReals *reals, size_t index, Vec3 v)
 {
     put(reals, index, v.x);
     put(reals, index + 1, v.y);
@@ -46,7 +46,7 @@ static void put_vec3(Reals *reals, size_t index, Vec3 v)
 }
 
 /* What put() rounded away: zero in double. */
-static Vec3 low_part(const Reals *reals, Vec3 v)
+static Vec3 low_part(const DeviceReals *reals, Vec3 v)
 {
     if (reals->precision == PRECISION_DOUBLE)
         return vec3(0, 0, 0);
@@ -78,7 +78,7 @@ static uint32_t face_bits(const Face *face, const Plane *plane, bool closed)
            (face->front_only ? FACE_BACK_OPEN : closed ? FACE_BACK_INSIDE : 0);
 }
 
-static void put_face(Reals *rows, size_t row, const Face *face, const Plane *plane, bool closed)
+static void put_face(DeviceReals *rows, size_t row, const Face *face, const Plane *plane, bool closed)
 {
     for (int k = 0; k < 4; k++)
         for (int axis = 0; axis < 3; axis++)
@@ -89,7 +89,7 @@ static void put_face(Reals *rows, size_t row, const Face *face, const Plane *pla
     memcpy((char *)rows->data + (row + FACE_BITS) * real_size, &bits, sizeof bits);
 }
 
-static void put_plane(Reals *planes, size_t row, const Plane *plane)
+static void put_plane(DeviceReals *planes, size_t row, const Plane *plane)
 {
     bool is_double = planes->precision == PRECISION_DOUBLE;
     put_vec3(planes, row + PLANE_NORMAL, plane->normal);
@@ -125,7 +125,7 @@ static void pack_face(DeviceScene *packed, const Scene *scene, const unsigned ch
     put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
 }
 
-static void pack_light(Reals *lights, size_t row, const Light *light)
+static void pack_light(DeviceReals *lights, size_t row, const Light *light)
 {
     put_vec3(lights, row + LIGHT_POSITION, light->position);
     put_vec3(lights, row + LIGHT_POSITION_LOW, low_part(lights, light->position));
@@ -134,7 +134,7 @@ static void pack_light(Reals *lights, size_t row, const Light *light)
     put_vec3(lights, row + LIGHT_SPECULAR, light->specular);
 }
 
-static void pack_material(Reals *materials, size_t row, const Material *material)
+static void pack_material(DeviceReals *materials, size_t row, const Material *material)
 {
     put_vec3(materials, row + MATERIAL_AMBIENT, material->ambient);
     put_vec3(materials, row + MATERIAL_DIFFUSE, material->diffuse);
@@ -143,7 +143,7 @@ static void pack_material(Reals *materials, size_t row, const Material *material
     put(materials, row + MATERIAL_REFLECTION, material->reflection);
 }
 
-static void put_view(Reals *reals, int column, Vec3 value)
+static void put_view(DeviceReals *reals, int column, Vec3 value)
 {
     put_vec3(reals, (size_t)column, value);
     put_vec3(reals, (size_t)VIEW_REALS + (size_t)column, low_part(reals, value));
@@ -166,7 +166,7 @@ static double farthest_vertex(const Scene *scene)
     return farthest;
 }
 
-static void pack_view(Reals *reals, const Scene *scene)
+static void pack_view(DeviceReals *reals, const Scene *scene)
 {
     View view = view_of(scene);
     put_view(reals, VIEW_EYE, view.eye);

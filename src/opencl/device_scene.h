@@ -1,6 +1,6 @@
 /* A scene as the kernels want it: the records and rows of kernels/layout.h, in float or double. */
-#ifndef RECTRAY_OPENCL_SCENE_H
-#define RECTRAY_OPENCL_SCENE_H
+#ifndef RECTRAY_DEVICE_SCENE_H
+#define RECTRAY_DEVICE_SCENE_H
 
 #include "trace/render.h"
 #include "scene/scene.h"
@@ -10,15 +10,15 @@
 #include <stddef.h>
 
 /* Rows of reals, `count` values of 4 (float) or 8 (double) bytes. */
-typedef struct Reals {
+typedef struct DeviceReals {
     void *data;
     size_t count;
     Precision precision;
-} Reals;
+} DeviceReals;
 
 typedef struct DeviceScene {
     FaceRecord *faces;
-    Reals edges, planes, materials, lights, view;
+    DeviceReals edges, planes, materials, lights, view;
 } DeviceScene;
 
 /* Packs the scene, its faces in the given order (NULL: as they are), those marked in `closed` (by their place in the scene; NULL:
@@ -28,6 +28,6 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned c
                        Precision precision, Precision wide, Error *error);
 void device_scene_free(DeviceScene *packed);
 
-size_t reals_bytes(const Reals *reals);
+size_t device_reals_bytes(const DeviceReals *reals);
 
 #endif

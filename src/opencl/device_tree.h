@@ -1,7 +1,7 @@
 /* A tree as the kernels walk it: two arrays. A node of the bounding volume hierarchy has as many children as the lanes test
  * at once, their boxes side by side (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008, section 3). */
-#ifndef RECTRAY_OPENCL_TREE_H
-#define RECTRAY_OPENCL_TREE_H
+#ifndef RECTRAY_DEVICE_TREE_H
+#define RECTRAY_DEVICE_TREE_H
 
 #include "trace/accel.h"
 

@@ -25,7 +25,7 @@ static uint64_t hash_bytes(uint64_t hash, const unsigned char *bytes, size_t siz
     return hash;
 }
 
-uint64_t cache_hash(uint64_t hash, const char *text)
+uint64_t kernel_cache_hash(uint64_t hash, const char *text)
 {
     return hash_bytes(hash, (const unsigned char *)text, strlen(text) + 1);
 }
@@ -56,7 +56,7 @@ static void find_folder(char *folder, bool make)
 }
 
 /* The name of the key's file; false if there is no place for one. */
-static bool find_file(CacheKey key, bool make, char *path)
+static bool find_file(KernelCacheKey key, bool make, char *path)
 {
     find_folder(path, make);
     if (!path[0])
@@ -66,7 +66,7 @@ static bool find_file(CacheKey key, bool make, char *path)
     return true;
 }
 
-unsigned char *cache_load(CacheKey key, size_t *size)
+unsigned char *kernel_cache_load(KernelCacheKey key, size_t *size)
 {
     char path[PATH_BYTES];
     FILE *file = find_file(key, false, path) ? fopen(path, "rb") : NULL;
@@ -75,9 +75,9 @@ unsigned char *cache_load(CacheKey key, size_t *size)
     Header header;
     unsigned char *binary = NULL;
     bool ok = fread(&header, sizeof header, 1, file) == 1 && memcmp(header.magic, magic, sizeof magic) == 0 &&
-              header.sources == key.sources && header.size > 0 && header.size <= CACHE_FILE_MAX &&
+              header.sources == key.sources && header.size > 0 && header.size <= KERNEL_CACHE_FILE_MAX &&
               (binary = malloc((size_t)header.size)) && fread(binary, (size_t)header.size, 1, file) == 1 &&
-              hash_bytes(CACHE_HASH_START, binary, (size_t)header.size) == header.checksum;
+              hash_bytes(KERNEL_CACHE_HASH_START, binary, (size_t)header.size) == header.checksum;
     fclose(file);
     if (!ok) {
         free(binary);
@@ -87,16 +87,16 @@ unsigned char *cache_load(CacheKey key, size_t *size)
     return binary;
 }
 
-void cache_store(CacheKey key, const unsigned char *binary, size_t size)
+void kernel_cache_store(KernelCacheKey key, const unsigned char *binary, size_t size)
 {
     char path[PATH_BYTES], temporary[PATH_BYTES + 32];
-    if (size == 0 || size > CACHE_FILE_MAX || !find_file(key, true, path))
+    if (size == 0 || size > KERNEL_CACHE_FILE_MAX || !find_file(key, true, path))
         return;
     snprintf(temporary, sizeof temporary, "%s.%ld", path, (long)getpid());
     FILE *file = fopen(temporary, "wb");
     if (!file)
         return;
-    Header header = {.sources = key.sources, .size = size, .checksum = hash_bytes(CACHE_HASH_START, binary, size)};
+    Header header = {.sources = key.sources, .size = size, .checksum = hash_bytes(KERNEL_CACHE_HASH_START, binary, size)};
     memcpy(header.magic, magic, sizeof magic);
     bool ok = fwrite(&header, sizeof header, 1, file) == 1 && fwrite(binary, size, 1, file) == 1;
     ok = fclose(file) == 0 && ok;

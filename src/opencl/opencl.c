@@ -4,7 +4,7 @@
 #include "trace/adaptive.h"
 #include "scene/light.h"
 #include "opencl/opencl_refine.h"
-#include "trace/skip.h"
+#include "trace/pruned_scene.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -35,7 +35,7 @@ typedef struct Pixels {
 
 struct OpenclScene {
     OpenclSession session;
-    LeanScene lean;
+    PrunedScene pruned;
     SceneOnDevice on_device;
     Pixels pixels;
     Refinement refinement;
@@ -73,10 +73,10 @@ static bool read_band(OpenclSession *session, const Pixels *pixels, const Parame
 
 static Parameters parameters_of(const OpenclScene *held)
 {
-    Parameters parameters = opencl_parameters(&held->lean.scene);
+    Parameters parameters = opencl_parameters(&held->pruned.scene);
     parameters.no_skip = (int)held->session.no_skip;
     if (held->session.adaptive)
-        parameters.generator = adaptive_generator(adaptive_samples(held->lean.scene.grid));
+        parameters.generator = adaptive_generator(adaptive_samples(held->pruned.scene.grid));
     return parameters;
 }
 
@@ -84,7 +84,7 @@ static Parameters parameters_of(const OpenclScene *held)
 static bool render_band(OpenclScene *held, Parameters *band, RenderReport *report, Error *error)
 {
     OpenclSession *session = &held->session;
-    int grid = held->lean.scene.grid;
+    int grid = held->pruned.scene.grid;
     size_t across = (size_t)((band->columns + session->block_columns - 1) / session->block_columns);
     size_t down = (size_t)((band->band_rows + session->block_rows - 1) / session->block_rows);
     band->grid = session->adaptive ? 1 : grid;
@@ -135,8 +135,8 @@ static bool make_pixels(OpenclScene *held, double *linear, Error *error)
     OpenclSession *session = &held->session;
     Pixels *pixels = &held->pixels;
     pixels->linear = linear;
-    pixels->most_rows = band_limit(session, &held->lean.scene);
-    size_t values = (size_t)pixels->most_rows * (size_t)held->lean.scene.screen.columns * 3, bytes = values * value_bytes(session);
+    pixels->most_rows = band_limit(session, &held->pruned.scene);
+    size_t values = (size_t)pixels->most_rows * (size_t)held->pruned.scene.screen.columns * 3, bytes = values * value_bytes(session);
     pixels->device = opencl_buffer(session, CL_MEM_READ_WRITE, bytes, NULL, error);
     if (!pixels->device)
         return false;
@@ -168,8 +168,8 @@ OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Err
         return NULL;
     }
     held->session = (OpenclSession){.linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
-    if (lean_scene_make(&held->lean, scene, settings, &held->report, error) &&
-        opencl_prepare(&held->session, &held->lean.scene, settings, &held->on_device, &held->report, error) &&
+    if (pruned_scene_make(&held->pruned, scene, settings, &held->report, error) &&
+        opencl_prepare(&held->session, &held->pruned.scene, settings, &held->on_device, &held->report, error) &&
         make_pixels(held, settings->linear, error) && make_kernel(held, error) &&
         opencl_warm_up(&held->session, &held->on_device, held->kernel, parameters_of(held), &held->report, error))
         return held;
@@ -193,7 +193,7 @@ void opencl_release(OpenclScene *held)
         free(held->pixels.rgb);
     free(held->pixels.read);
     opencl_close(&held->session);
-    lean_scene_free(&held->lean);
+    pruned_scene_free(&held->pruned);
     free(held);
 }
 

@@ -67,14 +67,14 @@ static const char *root_of(const OpenclSession *session)
     return session->casts ? "packet/cast.cl" : session->adaptive ? "adaptive/refine.cl" : "tile/render.cl";
 }
 
-static CacheKey key_of(const OpenclSession *session, const char *sources, const char *options)
+static KernelCacheKey key_of(const OpenclSession *session, const char *sources, const char *options)
 {
     const DeviceInfo *info = &session->info;
     const char *place[] = {info->platform, info->name, info->version, info->driver, root_of(session), options};
-    CacheKey key = {CACHE_HASH_START, CACHE_HASH_START};
+    KernelCacheKey key = {KERNEL_CACHE_HASH_START, KERNEL_CACHE_HASH_START};
     for (size_t i = 0; i < sizeof place / sizeof place[0]; i++)
-        key.place = cache_hash(key.place, place[i]);
-    key.sources = cache_hash(key.sources, sources);
+        key.place = kernel_cache_hash(key.place, place[i]);
+    key.sources = kernel_cache_hash(key.sources, sources);
     return key;
 }
 
@@ -82,7 +82,7 @@ static CacheKey key_of(const OpenclSession *session, const char *sources, const 
 static bool build_kept(OpenclSession *session, const char *options)
 {
     size_t size;
-    unsigned char *binary = cache_load(session->key, &size);
+    unsigned char *binary = kernel_cache_load(session->key, &size);
     if (!binary)
         return false;
     cl_int taken = CL_SUCCESS, status;
@@ -103,8 +103,8 @@ static void notify_compiling(const OpenclSession *session)
 {
     char text[256];
     snprintf(text, sizeof text, "compiling the kernels for %s, once", session->info.name);
-    if (session->notice.tell)
-        session->notice.tell(session->notice.user, text);
+    if (session->notice.show)
+        session->notice.show(session->notice.user, text);
 }
 
 static bool build_program(OpenclSession *session, const char *sources, const char *options, Error *error)
@@ -131,7 +131,7 @@ void opencl_keep(OpenclSession *session)
         return;
     unsigned char *binary = malloc(size);
     if (binary && clGetProgramInfo(session->program, CL_PROGRAM_BINARIES, sizeof binary, &binary, NULL) == CL_SUCCESS)
-        cache_store(session->key, binary, size);
+        kernel_cache_store(session->key, binary, size);
     free(binary);
     session->from_source = false;
 }

@@ -27,7 +27,7 @@ typedef struct OpenclSession {
     cl_program program;
     unsigned no_skip; /* as in RenderSettings */
     Notice notice;
-    CacheKey key;     /* of the program */
+    KernelCacheKey key;     /* of the program */
     bool from_source; /* it was compiled in this run, not kept from an earlier one */
     cl_mem buffers[OPENCL_MAX_BUFFERS];
     int buffer_count;

@@ -32,9 +32,9 @@ static cl_mem buffer_of(OpenclSession *session, const void *data, size_t count, 
     return opencl_buffer(session, CL_MEM_READ_ONLY, (count > 0 ? count : 1) * item, count > 0 ? data : NULL, error);
 }
 
-static cl_mem buffer_of_reals(OpenclSession *session, const Reals *reals, Error *error)
+static cl_mem buffer_of_reals(OpenclSession *session, const DeviceReals *reals, Error *error)
 {
-    return buffer_of(session, reals->data, 1, reals_bytes(reals), error);
+    return buffer_of(session, reals->data, 1, device_reals_bytes(reals), error);
 }
 
 /* What skip_closed_boxes says of each face. NULL without memory. */
@@ -50,8 +50,8 @@ static unsigned char *closed_boxes(const Scene *scene, const RenderSettings *set
 
 static uint64_t device_bytes(const Scene *scene, const DeviceScene *packed, const DeviceTree *tree)
 {
-    return (uint64_t)scene->face_count * sizeof(FaceRecord) + reals_bytes(&packed->edges) + reals_bytes(&packed->planes) +
-           reals_bytes(&packed->materials) + reals_bytes(&packed->lights) + reals_bytes(&packed->view) +
+    return (uint64_t)scene->face_count * sizeof(FaceRecord) + device_reals_bytes(&packed->edges) + device_reals_bytes(&packed->planes) +
+           device_reals_bytes(&packed->materials) + device_reals_bytes(&packed->lights) + device_reals_bytes(&packed->view) +
            tree->float_count * sizeof(float) + tree->int_count * sizeof(int);
 }
 

@@ -7,14 +7,14 @@
 #include <math.h>
 #include <string.h>
 
-const SceneKind scene_kinds[] = {
+const GenerateKind scene_kinds[] = {
     {"menger", 5, "steps of the Menger sponge, 1 to 5", generate_menger},
     {"city", 1000000, "boxes, 1 to 1000000", generate_city},
     {"grid", 1000, "quads along a side, 1 to 1000", generate_grid},
     {0},
 };
 
-const SceneKind *scene_kind_find(const char *name, Error *error)
+const GenerateKind *generate_find_kind(const char *name, Error *error)
 {
     const char *names[sizeof scene_kinds / sizeof *scene_kinds] = {0};
     for (int i = 0; scene_kinds[i].name; i++) {
@@ -22,7 +22,7 @@ const SceneKind *scene_kind_find(const char *name, Error *error)
             return &scene_kinds[i];
         names[i] = scene_kinds[i].name;
     }
-    const char *nearest = nearest_word(name, names);
+    const char *nearest = suggest_word(name, names);
     if (nearest)
         error_set(error, ERROR_USAGE, "there is no kind of scene '%s'; did you mean '%s'?", name, nearest);
     else
@@ -30,7 +30,7 @@ const SceneKind *scene_kind_find(const char *name, Error *error)
     return NULL;
 }
 
-bool scene_generate(const SceneKind *kind, FILE *out, int size, uint64_t seed, Error *error)
+bool generate_scene(const GenerateKind *kind, FILE *out, int size, uint64_t seed, Error *error)
 {
     fprintf(out, "{\n  \"//\": \"rectray generate %s --size %d --seed %llu\",\n", kind->name, size,
             (unsigned long long)seed);

@@ -9,21 +9,21 @@
 #include <stdint.h>
 #include <stdio.h>
 
-typedef struct SceneKind {
+typedef struct GenerateKind {
     const char *name;
     int max_size; /* the smallest is 1 */
     const char *size_means;
     /* Fails only for want of memory; writing errors stay in `out`. */
     bool (*write)(FILE *out, int size, uint64_t seed, Error *error);
-} SceneKind;
+} GenerateKind;
 
-extern const SceneKind scene_kinds[]; /* ends in a NULL name */
+extern const GenerateKind scene_kinds[]; /* ends in a NULL name */
 
 /* The kind of that name; NULL, with an ERROR_USAGE that suggests the nearest one, where there is none. */
-const SceneKind *scene_kind_find(const char *name, Error *error);
+const GenerateKind *generate_find_kind(const char *name, Error *error);
 
 /* Writes a scene, size from 1 to max_size. */
-bool scene_generate(const SceneKind *kind, FILE *out, int size, uint64_t seed, Error *error);
+bool generate_scene(const GenerateKind *kind, FILE *out, int size, uint64_t seed, Error *error);
 
 /* The writers. menger: the unit squares of a Menger sponge's surface after `level` steps, 2 20^level + 4 8^level of them.
  * city: `boxes` boxes on a floor box, 6 faces each. grid: a rotated sheet of `side` x `side` quads. */

@@ -20,7 +20,7 @@ static bool fail(SceneBuild *build, const char *format, ...)
     return false;
 }
 
-int build_material(SceneBuild *build, Material material)
+int scene_build_material(SceneBuild *build, Material material)
 {
     Scene *scene = build->scene;
     Material *grown = array_grown(scene->materials, scene->material_count, &build->material_capacity, sizeof *grown,
@@ -35,7 +35,7 @@ int build_material(SceneBuild *build, Material material)
     return scene->material_count++;
 }
 
-bool build_object(SceneBuild *build, const char *name, BuildObject object)
+bool scene_build_object(SceneBuild *build, const char *name, SceneBuildObject object)
 {
     Scene *scene = build->scene;
     Object *grown = array_grown(scene->objects, scene->object_count, &build->object_capacity, sizeof *grown, "objects",
@@ -53,7 +53,7 @@ bool build_object(SceneBuild *build, const char *name, BuildObject object)
     return true;
 }
 
-bool build_point(SceneBuild *build, Vec3 point)
+bool scene_build_point(SceneBuild *build, Vec3 point)
 {
     Vec3 *grown =
         array_grown(build->points, build->point_count, &build->point_capacity, sizeof *grown, "vertices", build->error);
@@ -67,7 +67,7 @@ bool build_point(SceneBuild *build, Vec3 point)
     return true;
 }
 
-int build_point_count(const SceneBuild *build)
+int scene_build_point_count(const SceneBuild *build)
 {
     return build->point_count - build->object.first_point;
 }
@@ -93,7 +93,7 @@ static bool describe(SceneBuild *build, Shape shape, const int *vertices)
         return fail(build, "the face is not convex: it turns the other way at vertex %d", first);
     case SHAPE_CROSSED:
         return fail(build, "the face is a bow-tie: two of its sides cross; list its vertices in order around it");
-    case SHAPE_NOT_FINITE: /* build_point has excluded it */
+    case SHAPE_NOT_FINITE: /* scene_build_point has excluded it */
     case SHAPE_GOOD:
         break;
     }
@@ -103,12 +103,12 @@ static bool describe(SceneBuild *build, Shape shape, const int *vertices)
 /* A mirror turns the right-hand rule round: vertices 0 1 2 3 are then stored as 0 3 2 1, and the front stays the front. */
 static bool add_face(SceneBuild *build, const int *points, int count, int material, int place)
 {
-    BuildFace *grown =
+    SceneBuildFace *grown =
         array_grown(build->faces, build->face_count, &build->face_capacity, sizeof *grown, "faces", build->error);
     if (!grown)
         return false;
     build->faces = grown;
-    BuildFace face = {
+    SceneBuildFace face = {
         .vertex_count = count,
         .number = build->next_number,
         .object = build->scene->object_count - 1,
@@ -126,13 +126,13 @@ static Shape shape_at(const SceneBuild *build, const int *vertices, int count)
 {
     Vec3 points[4];
     for (int i = 0; i < count; i++) {
-        assert(vertices[i] >= 0 && vertices[i] < build_point_count(build));
+        assert(vertices[i] >= 0 && vertices[i] < scene_build_point_count(build));
         points[i] = build->points[build->object.first_point + vertices[i]];
     }
     return shape_of(points, count);
 }
 
-bool build_face(SceneBuild *build, const int *vertices, int count, int material, int place)
+bool scene_build_face(SceneBuild *build, const int *vertices, int count, int material, int place)
 {
     if (material < 0)
         material = build->object.material;
@@ -151,7 +151,7 @@ bool build_face(SceneBuild *build, const int *vertices, int count, int material,
     return true;
 }
 
-bool build_box(SceneBuild *build, Vec3 low, Vec3 high)
+bool scene_build_box(SceneBuild *build, Vec3 low, Vec3 high)
 {
     /* Corner i has the high x where bit 0 of i is set, the high y for bit 1, the high z for bit 2. */
     static const int faces[6][4] = {
@@ -159,10 +159,10 @@ bool build_box(SceneBuild *build, Vec3 low, Vec3 high)
     };
     static const char *const sides[6] = {"-x", "+x", "-y", "+y", "-z", "+z"};
     for (int i = 0; i < 8; i++)
-        if (!build_point(build, vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z)))
+        if (!scene_build_point(build, vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z)))
             return false;
     for (int i = 0; i < 6; i++)
-        if (!build_face(build, faces[i], 4, -1, i)) {
+        if (!scene_build_face(build, faces[i], 4, -1, i)) {
             char reason[sizeof build->reason];
             memcpy(reason, build->reason, sizeof reason);
             return fail(build, "side %s of the box: %.200s", sides[i], reason);
@@ -170,7 +170,7 @@ bool build_box(SceneBuild *build, Vec3 low, Vec3 high)
     return true;
 }
 
-void build_free(SceneBuild *build)
+void scene_build_free(SceneBuild *build)
 {
     names_free(&build->materials);
     free(build->points);

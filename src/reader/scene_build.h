@@ -1,7 +1,7 @@
 /* Builds a Scene from what the readers find: objects, points and faces in world space, in double.
  * The readers know files and places, the builder knows geometry: it gives a reason, they say where. At the end the scene
  * is moved to its own centre and rounded once to float32. To add a kind of object, write a reader
- * that calls build_object, build_point and build_face. */
+ * that calls scene_build_object, scene_build_point and scene_build_face. */
 #ifndef RECTRAY_SCENE_BUILD_H
 #define RECTRAY_SCENE_BUILD_H
 
@@ -14,21 +14,21 @@
 #define BUILD_MAX_COORDINATE 1e12
 
 /* What holds for all faces of one object. */
-typedef struct BuildObject {
+typedef struct SceneBuildObject {
     Transform transform;
     int material; /* -1: none */
     bool front_only, split;
-    bool mirrored; /* set by build_object: the transform turns a right hand into a left one */
+    bool mirrored; /* set by scene_build_object: the transform turns a right hand into a left one */
     int first_point;
     int first_number; /* how the file counts its vertices: from 0, an OBJ from 1 */
-} BuildObject;
+} SceneBuildObject;
 
 /* A face before it is rounded: four numbers of points instead of four points. */
-typedef struct BuildFace {
+typedef struct SceneBuildFace {
     int points[4];
     int vertex_count, number, object, material, front_only;
     int place; /* the reader's: an index in a list, or a line of a file */
-} BuildFace;
+} SceneBuildFace;
 
 typedef struct SceneBuild {
     Scene *scene;
@@ -36,39 +36,39 @@ typedef struct SceneBuild {
     Names materials; /* the scene file's, by name */
     Vec3 *points;
     int point_count, point_capacity;
-    BuildFace *faces;
+    SceneBuildFace *faces;
     int face_count, face_capacity;
     int object_capacity, material_capacity;
     int next_number;        /* of a face */
-    BuildObject object;     /* the one being built */
+    SceneBuildObject object;     /* the one being built */
     char reason[256];       /* why the last call failed, where the error says nothing */
-    const BuildFace *fault; /* the face that build_finish failed at; NULL: the camera, or */
+    const SceneBuildFace *fault; /* the face that scene_build_finish failed at; NULL: the camera, or */
     int fault_light;        /* this light, -1: none */
 } SceneBuild;
 
 /* Functions that can fail return false (or -1) and leave a reason; without memory they fill the error instead. */
 
 /* Copies the name. Returns the material's index, or -1 without memory. */
-int build_material(SceneBuild *build, Material material);
+int scene_build_material(SceneBuild *build, Material material);
 
 /* Begins an object; the points and faces that follow are its. The name is copied. */
-bool build_object(SceneBuild *build, const char *name, BuildObject object);
+bool scene_build_object(SceneBuild *build, const char *name, SceneBuildObject object);
 
 /* Adds a vertex, which the object's transform moves into the world. Fails when it is no longer finite. */
-bool build_point(SceneBuild *build, Vec3 point);
+bool scene_build_point(SceneBuild *build, Vec3 point);
 
-int build_point_count(const SceneBuild *build); /* of the object */
+int scene_build_point_count(const SceneBuild *build); /* of the object */
 
 /* Adds a face of 3 or 4 of the object's points (all must exist), after checking its shape. material -1: the object's. */
-bool build_face(SceneBuild *build, const int *vertices, int count, int material, int place);
+bool scene_build_face(SceneBuild *build, const int *vertices, int count, int material, int place);
 
 /* Adds the six faces of an axis-parallel box (before the transform) in the order -x, +x, -y, +y, -z, +z, wound outward, also
  * where the transform mirrors. low < high on every axis. */
-bool build_box(SceneBuild *build, Vec3 low, Vec3 high);
+bool scene_build_box(SceneBuild *build, Vec3 low, Vec3 high);
 
 /* Moves faces, camera and lights to the scene's centre, rounds the faces and computes their planes. */
-bool build_finish(SceneBuild *build);
+bool scene_build_finish(SceneBuild *build);
 
-void build_free(SceneBuild *build);
+void scene_build_free(SceneBuild *build);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static bool fail(SceneBuild *build, const BuildFace *face, const char *reason)
+static bool fail(SceneBuild *build, const SceneBuildFace *face, const char *reason)
 {
     snprintf(build->reason, sizeof build->reason, "%s", reason);
     build->fault = face;
@@ -32,7 +32,7 @@ static bool in_range(Vec3 a)
     return fabs(a.x) <= BUILD_MAX_COORDINATE && fabs(a.y) <= BUILD_MAX_COORDINATE && fabs(a.z) <= BUILD_MAX_COORDINATE;
 }
 
-static bool round_face(SceneBuild *build, const BuildFace *from, Face *face)
+static bool round_face(SceneBuild *build, const SceneBuildFace *from, Face *face)
 {
     *face = (Face){
         .vertex_count = from->vertex_count,
@@ -90,7 +90,7 @@ static bool move_lights(SceneBuild *build)
     return true;
 }
 
-bool build_finish(SceneBuild *build)
+bool scene_build_finish(SceneBuild *build)
 {
     Scene *scene = build->scene;
     int count = build->face_count;

@@ -125,7 +125,7 @@ static bool read_materials(const Json *json, const cJSON *object, SceneBuild *bu
         }
         if (!read_material(json, child, &material))
             return false;
-        int index = build_material(build, material);
+        int index = scene_build_material(build, material);
         if (index < 0 || !names_add(&build->materials, build->scene->materials[index].name, index, json->error))
             return false;
     }
@@ -170,11 +170,11 @@ static bool read_sampling(const Json *json, const cJSON *item, Scene *scene)
 
 enum { CAMERA, SCREEN, LIGHTS, MATERIALS, OBJECTS, SHADING, SAMPLING, SCENE_KEYS };
 
-/* Gives the reason of build_finish its place. */
+/* Gives the reason of scene_build_finish its place. */
 static bool fail_finish(const Json *json, const JsonMember *keys, const SceneBuild *build)
 {
     if (build->fault)
-        return objects_fail_face(json, keys[OBJECTS].item, build);
+        return scene_objects_fail_face(json, keys[OBJECTS].item, build);
     if (build->fault_light >= 0)
         return json_fail(json, cJSON_GetArrayItem(keys[LIGHTS].item, build->fault_light), "%s", build->reason);
     return json_fail(json, keys[CAMERA].item, "%s", build->reason);
@@ -194,11 +194,11 @@ static bool read_scene(const Json *json, Scene *scene, SceneBuild *build)
     if (!json_members(json, json->root, keys, SCENE_KEYS) || !read_camera(json, keys[CAMERA].item, &scene->camera) ||
         !read_screen(json, keys[SCREEN].item, &scene->screen) || !read_lights(json, keys[LIGHTS].item, scene) ||
         !read_materials(json, keys[MATERIALS].item, build) ||
-        (keys[OBJECTS].item && !objects_read(json, keys[OBJECTS].item, build)) ||
+        (keys[OBJECTS].item && !scene_objects_read(json, keys[OBJECTS].item, build)) ||
         !read_shading(json, keys[SHADING].item, &scene->shading) ||
         !read_sampling(json, keys[SAMPLING].item, scene))
         return false;
-    return build_finish(build) || fail_finish(json, keys, build);
+    return scene_build_finish(build) || fail_finish(json, keys, build);
 }
 
 /* Reads a parsed file, and frees it. */
@@ -207,7 +207,7 @@ static bool finish_load(Scene *scene, Json *json, Error *error)
     SceneBuild build = {.scene = scene, .error = error};
     *scene = (Scene){0};
     bool good = read_scene(json, scene, &build);
-    build_free(&build);
+    scene_build_free(&build);
     json_free(json);
     if (!good)
         scene_free(scene);

@@ -95,7 +95,7 @@ static bool read_file(MtlLibrary *library, const char *path, Error *error)
     return good && error->kind == ERROR_NONE;
 }
 
-bool mtl_read(MtlLibrary *library, char *path, Error *error)
+bool scene_mtl_read(MtlLibrary *library, char *path, Error *error)
 {
     for (int i = 0; i < library->file_count; i++)
         if (strcmp(library->files[i], path) == 0) {
@@ -113,7 +113,7 @@ bool mtl_read(MtlLibrary *library, char *path, Error *error)
     return read_file(library, path, error);
 }
 
-void mtl_free(MtlLibrary *library)
+void scene_mtl_free(MtlLibrary *library)
 {
     for (int i = 0; i < library->count; i++)
         free(library->materials[i].name);

@@ -28,7 +28,7 @@ static bool read_vertex(ObjReader *reader, char *rest)
     if ((count == 4 || count == 7) && c[3] != 1)
         return word_fail(&reader->lines, build->error, "a vertex with the weight %g; only 1 is supported", c[3]);
     /* 6 or 7 numbers: a colour follows, which says nothing about the shape */
-    return build_point(build, vec3(c[0], c[1], c[2])) || word_fail(&reader->lines, build->error, "%s", build->reason);
+    return scene_build_point(build, vec3(c[0], c[1], c[2])) || word_fail(&reader->lines, build->error, "%s", build->reason);
 }
 
 /* Cuts a whole number that is not 0 off the text. */
@@ -68,7 +68,7 @@ static bool parse_reference(const char *at, long long *vertex)
 static bool read_reference(const ObjReader *reader, const char *word, int *vertex)
 {
     Error *error = reader->build->error;
-    int defined = build_point_count(reader->build);
+    int defined = scene_build_point_count(reader->build);
     long long number;
     if (!parse_reference(word, &number))
         return word_fail(&reader->lines, error, "%s is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)",
@@ -94,7 +94,7 @@ static bool read_face(ObjReader *reader, char *rest)
         return word_fail(&reader->lines, build->error,
                          "the face has no material: %s is not in the scene nor in a library, and the object names none",
                          reader->missing.text);
-    return build_face(build, vertices, count, reader->material, (int)reader->lines.line) ||
+    return scene_build_face(build, vertices, count, reader->material, (int)reader->lines.line) ||
            word_fail(&reader->lines, build->error, "%s", build->reason);
 }
 
@@ -111,7 +111,7 @@ static bool use_material(ObjReader *reader, const char *name)
         return true;
     int *used_as = &reader->library.used_as[own];
     if (*used_as < 0)
-        *used_as = build_material(build, reader->library.materials[own]);
+        *used_as = scene_build_material(build, reader->library.materials[own]);
     reader->material = *used_as;
     return *used_as >= 0;
 }
@@ -127,7 +127,7 @@ static bool read_libraries(ObjReader *reader, char *rest)
         Error reason = {.kind = ERROR_NONE};
         if (!path)
             return false;
-        if (!mtl_read(&reader->library, path, &reason))
+        if (!scene_mtl_read(&reader->library, path, &reason))
             return reason.kind == ERROR_INPUT ? word_fail(&reader->lines, error, "mtllib: %s", reason.text)
                                               : error_set(error, reason.kind, "%s", reason.text);
     }
@@ -159,7 +159,7 @@ static bool read_line(ObjReader *reader, char *line)
     return true;
 }
 
-bool obj_read(SceneBuild *build, const char *path)
+bool scene_obj_read(SceneBuild *build, const char *path)
 {
     ObjReader reader = {.build = build, .material = -1};
     build->object.first_number = 1;
@@ -170,6 +170,6 @@ bool obj_read(SceneBuild *build, const char *path)
     if (good && reader.face_count == 0)
         good = error_set(build->error, ERROR_INPUT, "%s: holds no face", path);
     text_close_lines(&reader.lines);
-    mtl_free(&reader.library);
+    scene_mtl_free(&reader.library);
     return good;
 }

@@ -26,7 +26,7 @@ static bool fail_material(const Json *json, const cJSON *item, const SceneBuild 
     for (int i = 0; i < build->materials.capacity; i++)
         if (build->materials.slots[i].text)
             known[count++] = build->materials.slots[i].text;
-    const char *nearest = nearest_word(item->valuestring, known);
+    const char *nearest = suggest_word(item->valuestring, known);
     free(known);
     Quoted name = text_quote(item->valuestring);
     if (!nearest)
@@ -65,11 +65,11 @@ static bool read_face(const Json *json, const cJSON *item, SceneBuild *build, in
     for (const cJSON *child = list->child; child; child = child->next, i++) {
         if (!json_integer(json, child, INT_MIN, INT_MAX, &vertices[i]))
             return false;
-        if (vertices[i] < 0 || vertices[i] >= build_point_count(build))
+        if (vertices[i] < 0 || vertices[i] >= scene_build_point_count(build))
             return json_fail(json, item, "vertex %d does not exist; the object has %d vertices", vertices[i],
-                             build_point_count(build));
+                             scene_build_point_count(build));
     }
-    return build_face(build, vertices, count, material, place) || fail_build(json, item, build);
+    return scene_build_face(build, vertices, count, material, place) || fail_build(json, item, build);
 }
 
 static bool read_faces(const Json *json, const cJSON *vertices, const cJSON *faces, SceneBuild *build)
@@ -80,7 +80,7 @@ static bool read_faces(const Json *json, const cJSON *vertices, const cJSON *fac
         Vec3 point;
         if (!json_vec3(json, child, -DBL_MAX, DBL_MAX, &point))
             return false;
-        if (!build_point(build, point))
+        if (!scene_build_point(build, point))
             return fail_build(json, child, build);
     }
     int place = 0;
@@ -103,7 +103,7 @@ static bool read_box(const Json *json, const cJSON *item, SceneBuild *build)
             return json_fail(json, item,
                              "\"min\" must be below \"max\" on every axis; in %c it is %.15g, and \"max\" %.15g",
                              "xyz"[i], lows[i], highs[i]);
-    return build_box(build, low, high) || fail_build(json, item, build);
+    return scene_build_box(build, low, high) || fail_build(json, item, build);
 }
 
 /* A model's own faults say their line; that there is no such file is told at the place that names it. */
@@ -118,7 +118,7 @@ static bool read_obj(const Json *json, const cJSON *item, SceneBuild *build)
     Error reason = {.kind = ERROR_NONE};
     bool good = text_check(path, &reason);
     if (good)
-        good = obj_read(build, path);
+        good = scene_obj_read(build, path);
     else if (reason.kind == ERROR_INPUT)
         json_fail(json, item, "%s", reason.text);
     else
@@ -129,7 +129,7 @@ static bool read_obj(const Json *json, const cJSON *item, SceneBuild *build)
 
 enum { NAME, MATERIAL, VERTICES, FACES, BOX, OBJ, TRANSFORM, NONPLANAR, SIDED, OBJECT_KEYS };
 
-static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *build, BuildObject *object)
+static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *build, SceneBuildObject *object)
 {
     static const char *const nonplanar[] = {"error", "split"}, *const sided[] = {"both", "front"};
     int split = 0, front = 0;
@@ -142,7 +142,7 @@ static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *
         return false;
     object->split = split == 1;
     object->front_only = front == 1;
-    return transform_read(json, keys[TRANSFORM].item, &object->transform);
+    return scene_transform_read(json, keys[TRANSFORM].item, &object->transform);
 }
 
 static bool read_object(const Json *json, const cJSON *item, int index, SceneBuild *build)
@@ -168,16 +168,16 @@ static bool read_object(const Json *json, const cJSON *item, int index, SceneBui
     char unnamed[32];
     snprintf(unnamed, sizeof unnamed, "objects[%d]", index);
     const char *name = unnamed;
-    BuildObject object = {.material = -1};
+    SceneBuildObject object = {.material = -1};
     if ((keys[NAME].item && !json_string(json, keys[NAME].item, &name)) || !read_settings(json, keys, build, &object) ||
-        !build_object(build, name, object))
+        !scene_build_object(build, name, object))
         return false;
     if (mesh)
         return read_faces(json, keys[VERTICES].item, keys[FACES].item, build);
     return keys[BOX].item ? read_box(json, keys[BOX].item, build) : read_obj(json, keys[OBJ].item, build);
 }
 
-bool objects_read(const Json *json, const cJSON *objects, SceneBuild *build)
+bool scene_objects_read(const Json *json, const cJSON *objects, SceneBuild *build)
 {
     if (!json_list(json, objects))
         return false;
@@ -188,7 +188,7 @@ bool objects_read(const Json *json, const cJSON *objects, SceneBuild *build)
     return true;
 }
 
-bool objects_fail_face(const Json *json, const cJSON *objects, const SceneBuild *build)
+bool scene_objects_fail_face(const Json *json, const cJSON *objects, const SceneBuild *build)
 {
     const cJSON *object = cJSON_GetArrayItem(objects, build->fault->object);
     const cJSON *faces = cJSON_GetObjectItemCaseSensitive(object, "faces");

@@ -6,9 +6,9 @@
 #include "reader/scene_build.h"
 
 /* Adds each object of the list, in order. */
-bool objects_read(const Json *json, const cJSON *objects, SceneBuild *build);
+bool scene_objects_read(const Json *json, const cJSON *objects, SceneBuild *build);
 
-/* Reports the face that build_finish failed at, with its place in the scene file or in the model. */
-bool objects_fail_face(const Json *json, const cJSON *objects, const SceneBuild *build);
+/* Reports the face that scene_build_finish failed at, with its place in the scene file or in the model. */
+bool scene_objects_fail_face(const Json *json, const cJSON *objects, const SceneBuild *build);
 
 #endif

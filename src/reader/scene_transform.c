@@ -58,7 +58,7 @@ static bool read_step(const Json *json, const cJSON *item, Transform *step)
     return true;
 }
 
-bool transform_read(const Json *json, const cJSON *item, Transform *transform)
+bool scene_transform_read(const Json *json, const cJSON *item, Transform *transform)
 {
     *transform = transform_identity();
     if (!item)

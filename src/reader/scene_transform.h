@@ -8,6 +8,6 @@
 
 /* The product of all steps, the first one innermost; the identity where `item` is NULL. A factor of 0, an axis of length 0 and
  * a step of no kind or of two kinds are errors. */
-bool transform_read(const Json *json, const cJSON *item, Transform *transform);
+bool scene_transform_read(const Json *json, const cJSON *item, Transform *transform);
 
 #endif

@@ -107,11 +107,11 @@ bool survey_scene(Survey *survey, const Scene *scene, Error *error)
         return false;
     for (int i = 0; i < scene->face_count; i++)
         if (count_unseen(survey, scene, i) && !survey->reflections && !can_block(scene, i))
-            survey->idle++;
+            survey->unreachable++;
     return true;
 }
 
-bool survey_face_is_idle(const Scene *scene, int index)
+bool survey_face_is_unreachable(const Scene *scene, int index)
 {
     Survey uncounted = {0};
     return count_unseen(&uncounted, scene, index) && !can_block(scene, index);

@@ -20,7 +20,7 @@ typedef struct Survey {
     int back_to_camera; /* one-sided, the camera behind it */
     int behind_camera;  /* no vertex before the camera */
 
-    int idle; /* faces that no ray at all can hit: as above, and no light is blocked by them either */
+    int unreachable; /* faces that no ray at all can hit: as above, and no light is blocked by them either */
 } Survey;
 
 /* Surveys a scene; false without memory. survey_free may be called in any case. */
@@ -30,7 +30,7 @@ bool survey_scene(Survey *survey, const Scene *scene, Error *error);
 bool survey_materials(Survey *survey, const Scene *scene, Error *error);
 
 /* In a scene without reflections: can no ray hit the face? */
-bool survey_face_is_idle(const Scene *scene, int index);
+bool survey_face_is_unreachable(const Scene *scene, int index);
 
 void survey_free(Survey *survey);
 

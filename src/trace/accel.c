@@ -1,6 +1,9 @@
 /* How a tracer finds faces: one by one, or through a tree. */
 #include "trace/accel.h"
 
+#include "trace/bvh_traverse.h"
+#include "trace/kdtree_traverse.h"
+
 static AccelKind kind_for(const Scene *scene, AccelKind wanted)
 {
     if (scene->face_count == 0)
@@ -35,10 +38,10 @@ bool accel_has_tree(const Accel *accel)
     return accel && (accel->kind == ACCEL_BVH || accel->kind == ACCEL_KDTREE);
 }
 
-void accel_walk(const Accel *accel, Walk *walk)
+void accel_traverse(const Accel *accel, Traversal *traversal)
 {
     if (accel->kind == ACCEL_BVH)
-        bvh_walk(&accel->bvh, walk);
+        bvh_traverse(&accel->bvh, traversal);
     else
-        kdtree_walk(&accel->kdtree, walk);
+        kdtree_traverse(&accel->kdtree, traversal);
 }

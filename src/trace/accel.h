@@ -6,6 +6,7 @@
 #include "trace/bvh.h"
 #include "trace/kdtree.h"
 #include "trace/render.h"
+#include "trace/traversal.h"
 
 /* Scenes of fewer faces than this are traced face by face unless the user says otherwise. At twelve faces a tree makes a ray
  * a quarter faster, at forty four times as fast; below, there is nothing to win. */
@@ -24,7 +25,7 @@ void accel_free(Accel *accel);
 /* NULL, ACCEL_NONE and an Accel that was never built have none. */
 bool accel_has_tree(const Accel *accel);
 
-/* Walks the tree that there is. */
-void accel_walk(const Accel *accel, Walk *walk);
+/* Traverses the tree that there is. */
+void accel_traverse(const Accel *accel, Traversal *traversal);
 
 #endif

@@ -6,7 +6,6 @@
 
 #include "scene/box.h"
 #include "scene/scene.h"
-#include "trace/traversal.h"
 
 /* A leaf has count > 0 faces, order[first .. first + count - 1]. An inner node has count 0; its children are the node after
  * it and the node `first`. */
@@ -28,8 +27,5 @@ enum { BVH_MAX_DEPTH = 96 };
  * Memory: 72 bytes per face, and 36 more while building. False with an ERROR_SYSTEM when there is not enough. */
 bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error);
 void bvh_free(Bvh *bvh);
-
-/* Shows the walk the faces of each leaf whose box the ray meets. */
-void bvh_walk(const Bvh *bvh, Walk *walk);
 
 #endif

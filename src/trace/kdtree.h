@@ -6,7 +6,6 @@
 
 #include "scene/box.h"
 #include "scene/scene.h"
-#include "trace/traversal.h"
 
 enum { KDTREE_LEAF = 3, KDTREE_MAX_DEPTH = 48, KDTREE_MAX_COPIES = 8 };
 
@@ -32,8 +31,5 @@ typedef struct KdTree {
  * ERROR_SYSTEM when there is not enough. */
 bool kdtree_build(KdTree *tree, const Scene *scene, int threads, Error *error);
 void kdtree_free(KdTree *tree);
-
-/* Shows the walk the faces of each leaf that the ray meets, nearest leaf first; a face in several leaves is shown for each. */
-void kdtree_walk(const KdTree *tree, Walk *walk);
 
 #endif

@@ -47,7 +47,7 @@ typedef struct Event {
         AdaptiveVerdict adaptive;
         struct { int column, row, i, j; ScreenPoint at; Vec3 c, q, r; } sample; /* C, Q, R */
         struct { int face; FaceTest test; double nearest_t; } face; /* nearest_t: of the faces before, HUGE_VAL if none */
-        WalkNode node;
+        TraversalNode node;
         struct { int face; FaceTest test; Vec3 point, normal, shifted; int step; } hit; /* normal turned to the ray; step: 0 for the first hit */
         struct { Vec3 background, weight_times_background; double weight; } miss;
         struct { int light, side; Vec3 position, to_light; double distance, height; Vec3 l, shadow_origin; } light; /* height: N.(light - v0), over the face's plane; side: its exact sign */

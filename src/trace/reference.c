@@ -1,5 +1,5 @@
 /* The reference tracer: the algorithm of docs/algorithm.md, scalar, in double, as plainly as it can be said.
- * The step numbers in the comments are that document's. What happens is told to the recorder, where there is one. */
+ * The step numbers in the comments are that document's. What happens is recorded, where there is a recorder. */
 #include "trace/reference.h"
 
 #include <math.h>
@@ -23,57 +23,57 @@ typedef struct Search {
     int blocker; /* the face in a shadow ray's way, -1 for none */
 } Search;
 
-/* Tells the recorder, where there is one, of an event: its kind and what belongs to it. Nothing is made where there is none. */
-#define TELL(tracer, ...)                                          \
+/* Records an event. Without a recorder it costs one comparison; the event is not even built. */
+#define RECORD(tracer, ...)                                          \
     do {                                                           \
         if ((tracer)->recorder)                                    \
-            tell((tracer)->recorder, (Event){.kind = __VA_ARGS__}); \
+            record((tracer)->recorder, (Event){.kind = __VA_ARGS__}); \
     } while (0)
 
-static void tell(const Recorder *recorder, Event event) { recorder->record(recorder->user, &event); }
+static void record(const Recorder *recorder, Event event) { recorder->record(recorder->user, &event); }
 
 static Vec3 unit_or_zero(Vec3 a) { return vec3_dot(a, a) > 0 ? vec3_unit(a) : a; }
 
 static Vec3 point_at(Ray ray, double t) { return vec3_add(ray.origin, vec3_scale(t, ray.direction)); }
 
-static void tell_node(const Walk *walk, WalkNode node)
+static void record_node(const Traversal *traversal, TraversalNode node)
 {
-    const Search *search = walk->user;
-    tell(search->tracer->recorder, (Event){.kind = EVENT_NODE, .as.node = node});
+    const Search *search = traversal->user;
+    record(search->tracer->recorder, (Event){.kind = EVENT_NODE, .as.node = node});
 }
 
 /* Shows `visit` the faces that the ray may meet before t = limit: those that the tree finds, or all in file order. */
-static void search_faces(Search *search, Ray ray, double limit, bool (*visit)(Walk *walk, int face))
+static void search_faces(Search *search, Ray ray, double limit, bool (*visit)(Traversal *traversal, int face))
 {
     const Tracer *tracer = search->tracer;
-    Walk walk = {.origin = ray.origin, .direction = ray.direction, .limit = limit, .visit = visit, .user = search};
-    walk.node = tracer->recorder ? tell_node : NULL;
+    Traversal traversal = {.origin = ray.origin, .direction = ray.direction, .limit = limit, .visit = visit, .user = search};
+    traversal.node = tracer->recorder ? record_node : NULL;
     if (accel_has_tree(tracer->accel))
-        accel_walk(tracer->accel, &walk);
+        accel_traverse(tracer->accel, &traversal);
     else
-        for (int i = 0; i < tracer->scene->face_count && visit(&walk, i); i++)
+        for (int i = 0; i < tracer->scene->face_count && visit(&traversal, i); i++)
             continue;
-    tracer->report->box_tests += walk.box_tests;
+    tracer->report->box_tests += traversal.box_tests;
 }
 
 /* Steps 3 to 5 for one face: is it the nearest so far? Of equal ones, the first in the file is. */
-static bool visit_for_nearest(Walk *walk, int face)
+static bool visit_for_nearest(Traversal *traversal, int face)
 {
-    Search *search = walk->user;
+    Search *search = traversal->user;
     const Tracer *tracer = search->tracer;
     Hit *nearest = search->hit;
     FaceTest test = {.verdict = FACE_LEFT, .outside_edge = -1};
     if (face != search->skip) {
-        test = face_test(&tracer->scene->faces[face], &tracer->scene->planes[face], search->ray, walk->limit,
+        test = face_test(&tracer->scene->faces[face], &tracer->scene->planes[face], search->ray, traversal->limit,
                          tracer->recorder != NULL);
         tracer->report->face_tests++;
     }
-    TELL(tracer, EVENT_FACE, .as.face = {face, test, nearest->test.t});
-    bool nearer = test.t_in_box < walk->limit || (test.t_in_box == walk->limit && face < nearest->face);
+    RECORD(tracer, EVENT_FACE, .as.face = {face, test, nearest->test.t});
+    bool nearer = test.t_in_box < traversal->limit || (test.t_in_box == traversal->limit && face < nearest->face);
     if (test.verdict == FACE_INSIDE && nearer) {
         nearest->face = face;
         nearest->test = test;
-        walk->limit = test.t_in_box;
+        traversal->limit = test.t_in_box;
     }
     return true;
 }
@@ -97,16 +97,16 @@ static void place_hit(const Scene *scene, Ray ray, Hit *hit)
 }
 
 /* Step 6 for one face: is it strictly between the shifted point and the light? */
-static bool visit_for_blocker(Walk *walk, int face)
+static bool visit_for_blocker(Traversal *traversal, int face)
 {
-    Search *search = walk->user;
+    Search *search = traversal->user;
     const Tracer *tracer = search->tracer;
     if (face == search->skip)
         return true;
-    FaceTest test = face_test_segment(&tracer->scene->faces[face], &tracer->scene->planes[face], walk->origin, search->to,
+    FaceTest test = face_test_segment(&tracer->scene->faces[face], &tracer->scene->planes[face], traversal->origin, search->to,
                                       tracer->recorder != NULL);
     tracer->report->face_tests++;
-    TELL(tracer, EVENT_OCCLUDER, .as.occluder = {face, test});
+    RECORD(tracer, EVENT_OCCLUDER, .as.occluder = {face, test});
     if (test.verdict == FACE_INSIDE)
         search->blocker = face;
     return test.verdict != FACE_INSIDE;
@@ -121,13 +121,13 @@ static int find_blocker(const Tracer *tracer, const Hit *hit, const Light *light
     return search.blocker;
 }
 
-static void tell_light(const Tracer *tracer, const Hit *hit, int index, int side)
+static void record_light(const Tracer *tracer, const Hit *hit, int index, int side)
 {
     Vec3 position = tracer->scene->lights[index].position;
     Vec3 to_light = vec3_sub(position, hit->point);
     Vec3 from_vertex = vec3_sub(position, face_vertex(&tracer->scene->faces[hit->face], 0));
     double height = side == 0 ? 0 : vec3_dot(hit->normal, from_vertex);
-    TELL(tracer, EVENT_LIGHT, .as.light = {index, side, position, to_light, vec3_length(to_light), height,
+    RECORD(tracer, EVENT_LIGHT, .as.light = {index, side, position, to_light, vec3_length(to_light), height,
                                            unit_or_zero(to_light), hit->shifted});
 }
 
@@ -144,11 +144,11 @@ static LightVerdict look_at_light(const Tracer *tracer, const Hit *hit, int inde
     if (behind)
         tracer->report->skipped[SKIP_LIGHT_BEHIND]++;
     if (tracer->recorder)
-        tell_light(tracer, hit, index, side);
+        record_light(tracer, hit, index, side);
     if (!behind)
         blocker = find_blocker(tracer, hit, light);
     LightVerdict verdict = behind ? LIGHT_BEHIND_FACE : blocker >= 0 ? LIGHT_BLOCKED : LIGHT_REACHES;
-    TELL(tracer, EVENT_LIGHT_END, .as.light_end = {index, verdict, blocker});
+    RECORD(tracer, EVENT_LIGHT_END, .as.light_end = {index, verdict, blocker});
     return verdict;
 }
 
@@ -170,7 +170,7 @@ static Vec3 shade(const Tracer *tracer, const Hit *hit, Vec3 v, int *reaching)
         if (reaches)
             sum = vec3_add(vec3_add(terms.ambient, terms.diffuse), terms.specular);
         colour = vec3_add(colour, sum);
-        TELL(tracer, EVENT_TERMS, .as.terms = {i, terms, l, v, sum, material->shininess / 4, !reaches});
+        RECORD(tracer, EVENT_TERMS, .as.terms = {i, terms, l, v, sum, material->shininess / 4, !reaches});
     }
     return colour;
 }
@@ -206,7 +206,7 @@ static Vec3 viewer_direction(const Scene *scene, const Hit *hit, Vec3 r)
 
 static Vec3 end_path(const Tracer *tracer, PathEnd reason, Vec3 total, int bounces)
 {
-    TELL(tracer, EVENT_PATH_END, .as.path_end = {reason, total, bounces});
+    RECORD(tracer, EVENT_PATH_END, .as.path_end = {reason, total, bounces});
     return total;
 }
 
@@ -224,18 +224,18 @@ static Vec3 trace_path(const Tracer *tracer, Ray ray)
         if (hit.face < 0) {
             Vec3 seen = vec3_scale(weight, scene->shading.background);
             total = vec3_add(total, seen);
-            TELL(tracer, EVENT_MISS, .as.miss = {scene->shading.background, seen, weight});
+            RECORD(tracer, EVENT_MISS, .as.miss = {scene->shading.background, seen, weight});
             return end_path(tracer, PATH_MISSED, total, bounces);
         }
         place_hit(scene, ray, &hit);
-        TELL(tracer, EVENT_HIT, .as.hit = {hit.face, hit.test, hit.point, hit.normal, hit.shifted, bounces});
+        RECORD(tracer, EVENT_HIT, .as.hit = {hit.face, hit.test, hit.point, hit.normal, hit.shifted, bounces});
 
         Vec3 r = vec3_unit(ray.direction);
         int reaching;
         Vec3 illumination = shade(tracer, &hit, viewer_direction(scene, &hit, r), &reaching);
         Vec3 contribution = vec3_scale(weight, illumination);
         total = vec3_add(total, contribution);
-        TELL(tracer, EVENT_SHADED, .as.shaded = {illumination, contribution, total, weight, reaching});
+        RECORD(tracer, EVENT_SHADED, .as.shaded = {illumination, contribution, total, weight, reaching});
 
         const Material *material = &scene->materials[scene->faces[hit.face].material];
         PathEnd reason;
@@ -245,7 +245,7 @@ static Vec3 trace_path(const Tracer *tracer, Ray ray)
         weight *= material->reflection;
         left = hit.face;
         tracer->report->rays.reflection++;
-        TELL(tracer, EVENT_REFLECTED,
+        RECORD(tracer, EVENT_REFLECTED,
              .as.reflected = {r, ray.direction, ray.origin, material->reflection, weight, bounces + 1});
     }
 }
@@ -259,7 +259,7 @@ static Vec3 trace_sample(const Tracer *tracer, int grid, int column, int row, in
     if (tracer->path)
         tracer->path->count = 0;
     tracer->report->rays.primary++;
-    TELL(tracer, EVENT_SAMPLE, .as.sample = {column, row, i, j, view_screen_point(&view, column, row, i, j), ray.origin,
+    RECORD(tracer, EVENT_SAMPLE, .as.sample = {column, row, i, j, view_screen_point(&view, column, row, i, j), ray.origin,
                                              vec3_add(ray.origin, ray.direction), ray.direction});
     return trace_path(tracer, ray);
 }
@@ -274,7 +274,7 @@ static Vec3 clamped(Vec3 c) { return vec3(fmin(fmax(c.x, 0), 1), fmin(fmax(c.y, 
 static Vec3 average_of(const Tracer *tracer, Vec3 sum, int samples)
 {
     Vec3 average = vec3(sum.x / samples, sum.y / samples, sum.z / samples);
-    TELL(tracer, EVENT_PIXEL, .as.pixel = {sum, average, clamped(average), samples,
+    RECORD(tracer, EVENT_PIXEL, .as.pixel = {sum, average, clamped(average), samples,
                                            {colour_to_byte(average.x), colour_to_byte(average.y),
                                             colour_to_byte(average.z)}});
     return average;
@@ -309,7 +309,7 @@ static Vec3 trace_adaptive(const Tracer *tracer, int column, int row)
     silent.path = &path;
     Vec3 centre = trace_grid(&silent, 1, column, row);
     AdaptiveVerdict verdict = adaptive_judge(tracer->scene, tracer->accel, &path, column, row, tracer->report);
-    TELL(tracer, EVENT_ADAPTIVE, .as.adaptive = verdict);
+    RECORD(tracer, EVENT_ADAPTIVE, .as.adaptive = verdict);
     bool refine = verdict.reason != ADAPTIVE_SAME;
     tracer->report->refined_pixels += refine;
     if (!refine && !tracer->recorder)

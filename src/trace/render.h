@@ -23,9 +23,9 @@ typedef enum MapKind {
 
 typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH } AccelKind;
 
-/* Told of what takes long before there is a picture, such as "compiling ...": a few words, without a newline. */
+/* Shows the user what takes long before there is a picture, such as "compiling ...": a few words, without a newline. */
 typedef struct Notice {
-    void (*tell)(void *user, const char *text); /* NULL: nobody listens */
+    void (*show)(void *user, const char *text); /* NULL: nobody looks */
     void *user;
 } Notice;
 
@@ -55,7 +55,7 @@ typedef struct RenderReport {
     RayCounts rays;
     uint64_t box_tests, face_tests;
     uint64_t refined_pixels; /* by adaptive sampling: those that got more than their centre */
-    uint64_t skipped[SKIPS]; /* what was left out, by kind: skips.h says in what it is counted */
+    uint64_t skipped[SKIP_KINDS]; /* what was left out, by kind: skips.h says in what it is counted */
     uint64_t device_bytes;   /* of the scene and its tree in the device's memory */
     int lanes, threads;
     AccelKind accel;         /* the one used */

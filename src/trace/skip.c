@@ -1,13 +1,10 @@
-/* What a scene can do without. What is left out here is certain for every ray, however it is rounded: sides of planes are
- * exact (geometry.h), and the sides of a box are compared as the numbers that they are. */
+/* The names of what is left out, and the closed boxes of a scene. They are certain for every ray, however it is rounded: the
+ * sides of a box are compared as the numbers that they are. */
 #include "trace/skip.h"
 
-#include "scene/survey.h"
-
-#include <stdlib.h>
 #include <string.h>
 
-const SkipText skip_texts[SKIPS] = {
+const SkipText skip_texts[SKIP_KINDS] = {
     [SKIP_LIGHT_BEHIND] = {"light_behind", "skipped: light behind"},
     [SKIP_LIGHT_AMBIENT] = {"light_ambient", "skipped: ambient light"},
     [SKIP_HIGHLIGHT] = {"highlight", "skipped: no highlight"},
@@ -16,97 +13,12 @@ const SkipText skip_texts[SKIPS] = {
     [SKIP_WHOLE_TILE] = {"whole_tile", "skipped: whole tile"},
     [SKIP_BACK_FACE] = {"back_face", "skipped: back face"},
     [SKIP_LIGHT_BLACK] = {"light_black", "skipped: black light"},
-    [SKIP_IDLE_FACE] = {"idle_face", "skipped: idle face"},
+    [SKIP_UNREACHABLE_FACE] = {"idle_face", "skipped: idle face"},
     [SKIP_MIRRORS] = {"mirrors", "skipped: mirrors"},
     [SKIP_TREE] = {"tree", "skipped: tree"},
 };
 
 bool skip_wanted(const RenderSettings *settings, int skip) { return !(settings->no_skip & 1u << skip); }
-
-/* --- Lights and faces --- */
-
-/* Idle faces are looked for in scenes of up to so many: in larger ones the search would cost more than it could save. */
-enum { IDLE_FACES_MOST = 10000 };
-
-static bool is_black(Vec3 colour) { return colour.x == 0 && colour.y == 0 && colour.z == 0; }
-
-static bool light_is_black(const Light *light)
-{
-    return is_black(light->ambient) && is_black(light->diffuse) && is_black(light->specular);
-}
-
-/* The lights that have a colour. */
-static bool keep_lights(LeanScene *lean, const Scene *scene, Error *error)
-{
-    lean->lights = malloc(((size_t)scene->light_count + 1) * sizeof *lean->lights);
-    if (!lean->lights)
-        return error_memory(error, "the lights");
-    int kept = 0;
-    for (int i = 0; i < scene->light_count; i++)
-        if (!light_is_black(&scene->lights[i]))
-            lean->lights[kept++] = scene->lights[i];
-    lean->scene.lights = lean->lights;
-    lean->scene.light_count = kept;
-    return true;
-}
-
-/* The faces that a ray can hit. */
-static bool keep_faces(LeanScene *lean, const Scene *scene, Error *error)
-{
-    size_t room = (size_t)scene->face_count + 1;
-    lean->faces = malloc(room * sizeof *lean->faces);
-    lean->planes = malloc(room * sizeof *lean->planes);
-    if (!lean->faces || !lean->planes)
-        return error_memory(error, "the faces");
-    int kept = 0;
-    for (int i = 0; i < scene->face_count; i++)
-        if (!survey_face_is_idle(scene, i)) {
-            lean->faces[kept] = scene->faces[i];
-            lean->planes[kept++] = scene->planes[i];
-        }
-    lean->scene.faces = lean->faces;
-    lean->scene.planes = lean->planes;
-    lean->scene.face_count = kept;
-    return true;
-}
-
-bool lean_scene_make(LeanScene *lean, const Scene *scene, const RenderSettings *settings, RenderReport *report, Error *error)
-{
-    *lean = (LeanScene){.scene = *scene};
-    Survey survey;
-    if (!survey_materials(&survey, scene, error))
-        return false;
-    bool reflections = survey.reflections;
-    int black = survey.lights_black;
-    survey_free(&survey);
-    /* No path goes on after its first hit. */
-    if (!reflections && !scene->adaptive && skip_wanted(settings, SKIP_MIRRORS)) {
-        lean->scene.shading.max_bounces = 0;
-        report->skipped[SKIP_MIRRORS] = 1;
-    }
-    /* Adaptive sampling looks at faces that no ray hits and at shadows of black lights, too: they may make it cast more rays.
-     * Under the black rule a path goes on from where a light reaches, be it black. */
-    bool black_adds_nothing = !reflections || scene->shading.shadow == SHADOW_AMBIENT;
-    if (black > 0 && black_adds_nothing && !scene->adaptive && skip_wanted(settings, SKIP_LIGHT_BLACK)) {
-        if (!keep_lights(lean, scene, error))
-            return false;
-        report->skipped[SKIP_LIGHT_BLACK] = (uint64_t)black;
-    }
-    if (!reflections && !scene->adaptive && scene->face_count <= IDLE_FACES_MOST && skip_wanted(settings, SKIP_IDLE_FACE)) {
-        if (!keep_faces(lean, scene, error))
-            return false;
-        report->skipped[SKIP_IDLE_FACE] = (uint64_t)(scene->face_count - lean->scene.face_count);
-    }
-    return true;
-}
-
-void lean_scene_free(LeanScene *lean)
-{
-    free(lean->lights);
-    free(lean->faces);
-    free(lean->planes);
-    *lean = (LeanScene){.lights = NULL};
-}
 
 /* --- Closed boxes --- */
 

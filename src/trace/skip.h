@@ -11,24 +11,10 @@ typedef struct SkipText {
     const char *words; /* in the table of --stats */
 } SkipText;
 
-extern const SkipText skip_texts[SKIPS]; /* by SKIP_... of kernels/skips.h */
+extern const SkipText skip_texts[SKIP_KINDS]; /* by SKIP_... of kernels/skips.h */
 
 /* Is that work to be left out? */
 bool skip_wanted(const RenderSettings *settings, int skip);
-
-/* A scene without what cannot matter to any pixel, for rendering. It shares the rest with the scene that it was made from, which
- * must outlive it, and which it is a plain copy of where there is nothing to leave out. */
-typedef struct LeanScene {
-    Scene scene;
-    Light *lights; /* its own, or NULL */
-    Face *faces;
-    Plane *planes;
-} LeanScene;
-
-/* Makes it, and counts in the report what was left out. False without memory; lean_scene_free may be called in any case. */
-bool lean_scene_make(LeanScene *lean, const Scene *scene, const RenderSettings *settings, RenderReport *report, Error *error);
-
-void lean_scene_free(LeanScene *lean);
 
 /* Marks the faces of closed boxes: six two-sided faces in a row in the scene, flat across the axes, that enclose a box which the
  * camera and all lights are outside of. A ray from outside meets a front of it before, or at, any back. closed: one per face,

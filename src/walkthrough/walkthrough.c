@@ -7,10 +7,10 @@
 
 #include <stdlib.h>
 
-const char *const walk_face_verdicts[] = {"parallel", "behind", "back", "farther", "outside", "inside", "left"};
-const char *const walk_light_verdicts[] = {"behind face", "blocked", "reaches"};
-const char *const walk_path_ends[] = {"missed", "in shadow", "not a mirror", "max bounces"};
-const char *const walk_adaptive_reasons[] = {"same", "edge", "face", "shadow", "highlight"};
+const char *const walkthrough_face_verdicts[] = {"parallel", "behind", "back", "farther", "outside", "inside", "left"};
+const char *const walkthrough_light_verdicts[] = {"behind face", "blocked", "reaches"};
+const char *const walkthrough_path_ends[] = {"missed", "in shadow", "not a mirror", "max bounces"};
+const char *const walkthrough_adaptive_reasons[] = {"same", "edge", "face", "shadow", "highlight"};
 
 /* --- Recording --- */
 
@@ -31,7 +31,7 @@ static void append(Walkthrough *walk, const Event *event)
     walk->events[walk->count++] = *event;
 }
 
-bool walk_is_hit(const FaceTest *test)
+bool walkthrough_is_hit(const FaceTest *test)
 {
     return test->verdict == FACE_INSIDE || (test->verdict == FACE_FARTHER && test->edges > 0 && test->outside_edge < 0);
 }
@@ -40,7 +40,7 @@ bool walk_is_hit(const FaceTest *test)
 static void keep_hit(Walkthrough *walk, const Event *event)
 {
     walk->hits[walk->hit_count++] = *event;
-    if (walk->hit_count <= WALK_HITS_TOLD)
+    if (walk->hit_count <= WALKTHROUGH_HITS_TOLD)
         return;
     int farthest = 0;
     for (int i = 1; i < walk->hit_count; i++)
@@ -70,7 +70,7 @@ static void count_node(Walkthrough *walk, const Event *event)
     tally->as.tally.nodes_met++;
     tally->as.tally.nodes_entered += entered;
     tally->as.tally.leaves += entered && event->as.node.faces > 0;
-    if (walk->request.verbose || (entered && tally->as.tally.nodes_entered <= WALK_NODES_TOLD))
+    if (walk->request.verbose || (entered && tally->as.tally.nodes_entered <= WALKTHROUGH_NODES_TOLD))
         append(walk, event);
 }
 
@@ -85,7 +85,7 @@ static void count_face(Walkthrough *walk, const Event *event)
     tally->as.tally.verdicts[test->verdict]++;
     if (walk->request.verbose || (walk->shadow && test->verdict == FACE_INSIDE))
         append(walk, event);
-    else if (!walk->shadow && walk_is_hit(test))
+    else if (!walk->shadow && walkthrough_is_hit(test))
         keep_hit(walk, event);
 }
 
@@ -98,7 +98,7 @@ static void end_ray(Walkthrough *walk)
     walk->tally = -1;
 }
 
-static bool is_told(const WalkRequest *request, const Event *sample)
+static bool is_told(const WalkthroughRequest *request, const Event *sample)
 {
     return sample->as.sample.i == request->i && sample->as.sample.j == request->j;
 }
@@ -106,7 +106,7 @@ static bool is_told(const WalkRequest *request, const Event *sample)
 static void record(void *user, const Event *event)
 {
     Walkthrough *walk = user;
-    WalkRequest *request = &walk->request;
+    WalkthroughRequest *request = &walk->request;
     if (event->kind == EVENT_ADAPTIVE && event->as.adaptive.reason == ADAPTIVE_SAME) {
         walk->grid = 1;
         request->i = request->j = 0;
@@ -134,7 +134,7 @@ static void record(void *user, const Event *event)
 }
 
 bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *accel, const char *scene_name,
-                        WalkRequest request, Error *error)
+                        WalkthroughRequest request, Error *error)
 {
     *walk = (Walkthrough){.scene = scene, .scene_name = scene_name, .request = request, .grid = scene->grid, .tally = -1};
     RenderReport report = {0};
@@ -158,10 +158,10 @@ void walkthrough_free(Walkthrough *walk)
 
 /* --- Reading --- */
 
-void walk_follow(WalkPlace *place, const Walkthrough *walk, const Event *event)
+void walkthrough_follow(WalkthroughPlace *place, const Walkthrough *walk, const Event *event)
 {
     if (event->kind == EVENT_SAMPLE) {
-        *place = (WalkPlace){.sample = event, .ray = {event->as.sample.c, event->as.sample.r}, .weight = 1};
+        *place = (WalkthroughPlace){.sample = event, .ray = {event->as.sample.c, event->as.sample.r}, .weight = 1};
         place->told = is_told(&walk->request, event);
     } else if (event->kind == EVENT_HIT) {
         place->hit = event;
@@ -173,29 +173,29 @@ void walk_follow(WalkPlace *place, const Walkthrough *walk, const Event *event)
     }
 }
 
-int walk_hit_number(const WalkPlace *place)
+int walkthrough_hit_number(const WalkthroughPlace *place)
 {
     return place->hit ? place->hit->as.hit.step + 1 : 0;
 }
 
-WalkEdge walk_edge(const Face *face, int k, Vec3 point)
+WalkthroughEdge walkthrough_edge(const Face *face, int k, Vec3 point)
 {
     Vec3 from = face_vertex(face, k), to = face_vertex(face, (k + 1) % face->vertex_count);
-    return (WalkEdge){vec3_sub(to, from), vec3_sub(point, from)};
+    return (WalkthroughEdge){vec3_sub(to, from), vec3_sub(point, from)};
 }
 
-Vec3 walk_world(const Scene *scene, Vec3 position)
+Vec3 walkthrough_world(const Scene *scene, Vec3 position)
 {
     return vec3_add(position, scene->centre);
 }
 
-int walk_face_in_object(const Scene *scene, int face)
+int walkthrough_face_in_object(const Scene *scene, int face)
 {
     const Object *object = &scene->objects[scene->faces[face].object];
     return scene->faces[face].number - scene->faces[object->first_face].number;
 }
 
-double walk_scene_size(const Scene *scene)
+double walkthrough_scene_size(const Scene *scene)
 {
     Vec3 low = scene->camera.position, high = low;
     for (int i = 0; i < scene->face_count; i++)

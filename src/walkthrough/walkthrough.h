@@ -1,5 +1,5 @@
 /* The walkthrough of one pixel: what the reference tracer told while it traced it, as a list of events. The formats
- * (walkthrough_text.c and its like) read the list from the beginning to its end; a WalkPlace follows them, so that each
+ * (walkthrough_text.c and its like) read the list from the beginning to its end; a WalkthroughPlace follows them, so that each
  * knows which ray, hit and light an event speaks of. To add a format: a writer, and its line in command_trace.c. */
 #ifndef RECTRAY_WALKTHROUGH_H
 #define RECTRAY_WALKTHROUGH_H
@@ -12,19 +12,19 @@
 #include <stdio.h>
 
 /* Of the faces that a ray hits, and of the nodes that it enters, so many are told where the rest is only counted. */
-enum { WALK_HITS_TOLD = 8, WALK_NODES_TOLD = 48 };
+enum { WALKTHROUGH_HITS_TOLD = 8, WALKTHROUGH_NODES_TOLD = 48 };
 
-typedef struct WalkRequest {
+typedef struct WalkthroughRequest {
     int column, row; /* in the picture */
     int i, j;        /* the sample that is told in full, in the grid; of the others only the colour is */
     bool verbose;    /* every face tested and every node met is told, at some 220 bytes each */
-} WalkRequest;
+} WalkthroughRequest;
 
 /* In the list each ray's search begins with an EVENT_TALLY; events follow for those nodes and faces that are told. */
 typedef struct Walkthrough {
     const Scene *scene;     /* borrowed */
     const char *scene_name; /* borrowed; as the user gave it */
-    WalkRequest request;
+    WalkthroughRequest request;
     int grid;               /* the pixel has grid x grid samples; refined by adaptive sampling, grid of them */
     Event *events;
     long count, capacity;
@@ -34,54 +34,54 @@ typedef struct Walkthrough {
     bool failed;  /* out of memory */
     bool shadow;  /* the search is a shadow ray's */
     long tally;   /* the current search's tally in the list, -1: none yet */
-    Event hits[WALK_HITS_TOLD + 1];
+    Event hits[WALKTHROUGH_HITS_TOLD + 1];
     int hit_count;
 } Walkthrough;
 
 /* Traces the pixel and records it. accel may be NULL: every face is tested. Free the walkthrough also after a failure:
  * want of memory, or a sample that adaptive sampling left out. */
 bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *accel, const char *scene_name,
-                        WalkRequest request, Error *error);
+                        WalkthroughRequest request, Error *error);
 
 void walkthrough_free(Walkthrough *walk);
 
 /* Where in the path an event stands. Zeroed before the first event. */
-typedef struct WalkPlace {
+typedef struct WalkthroughPlace {
     const Event *sample, *hit, *light; /* the latest; hit and light are NULL before the first of the sample */
     bool told;                         /* whether the sample is the one that is told in full */
     Ray ray;                           /* the one being followed */
     double weight;                     /* of the next hit */
-} WalkPlace;
+} WalkthroughPlace;
 
 /* Takes the event into account; called before a format speaks of it. */
-void walk_follow(WalkPlace *place, const Walkthrough *walk, const Event *event);
+void walkthrough_follow(WalkthroughPlace *place, const Walkthrough *walk, const Event *event);
 
 /* The number in P1, P2, ...: of the latest hit; 0 before the first. */
-int walk_hit_number(const WalkPlace *place);
+int walkthrough_hit_number(const WalkthroughPlace *place);
 
 /* What the events leave to be derived, for the formats that show it. */
-typedef struct WalkEdge {
+typedef struct WalkthroughEdge {
     Vec3 e, c; /* e = v[k+1] - v[k], c = P - v[k] */
-} WalkEdge;
+} WalkthroughEdge;
 
-WalkEdge walk_edge(const Face *face, int k, Vec3 point);
+WalkthroughEdge walkthrough_edge(const Face *face, int k, Vec3 point);
 
 /* A position as the scene file gives it, from one as it is traced. */
-Vec3 walk_world(const Scene *scene, Vec3 position);
+Vec3 walkthrough_world(const Scene *scene, Vec3 position);
 
 /* The face's number within its object, from 0, as the scene file lists them. */
-int walk_face_in_object(const Scene *scene, int face);
+int walkthrough_face_in_object(const Scene *scene, int face);
 
 /* Whether the ray meets the face within its edges, nearest or not. */
-bool walk_is_hit(const FaceTest *test);
+bool walkthrough_is_hit(const FaceTest *test);
 
 /* The size of the scene: the longest side of the box around its faces and its camera, as traced. */
-double walk_scene_size(const Scene *scene);
+double walkthrough_scene_size(const Scene *scene);
 
 /* One word for a verdict, in the order of the enumerations. */
-extern const char *const walk_face_verdicts[];
-extern const char *const walk_light_verdicts[];
-extern const char *const walk_path_ends[];
-extern const char *const walk_adaptive_reasons[];
+extern const char *const walkthrough_face_verdicts[];
+extern const char *const walkthrough_light_verdicts[];
+extern const char *const walkthrough_path_ends[];
+extern const char *const walkthrough_adaptive_reasons[];
 
 #endif

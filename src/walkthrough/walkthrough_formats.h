@@ -4,14 +4,14 @@
 
 #include "walkthrough/walkthrough.h"
 
-typedef struct WalkStyle {
+typedef struct WalkthroughStyle {
     bool colour;     /* text: ANSI colours */
     bool with_scene; /* OBJ: the scene's faces, too */
-} WalkStyle;
+} WalkthroughStyle;
 
 /* Fails only for want of memory. */
-typedef bool WalkWriter(FILE *out, const Walkthrough *walk, WalkStyle style, Error *error);
+typedef bool WalkthroughWriter(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error);
 
-WalkWriter walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj, walkthrough_write_svg;
+WalkthroughWriter walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj, walkthrough_write_svg;
 
 #endif

@@ -1,7 +1,7 @@
 /* The walkthrough as JSON: one document with what holds for the whole scene, then the events, one a line, in the order in
  * which they happened. Events are printed as they are made, so that the longest list takes no memory of its own.
  * docs/walkthrough.schema.json describes every member. */
-#include "walkthrough/walkthrough_json.h"
+#include "walkthrough/walkthrough_json_event.h"
 #include "walkthrough/walkthrough_formats.h"
 
 /* Prints the object on one line and deletes it. */
@@ -17,13 +17,13 @@ static void print_object(FILE *out, cJSON *object, bool *failed)
 
 static cJSON *request_json(const Walkthrough *walk, bool *failed)
 {
-    const WalkRequest *request = &walk->request;
-    Node node = node_new(failed);
-    node_number(node, "column", request->column);
-    node_number(node, "row", request->row);
-    node_number(node, "i", request->i);
-    node_number(node, "j", request->j);
-    node_bool(node, "verbose", request->verbose);
+    const WalkthroughRequest *request = &walk->request;
+    JsonNode node = json_node_new(failed);
+    json_node_number(node, "column", request->column);
+    json_node_number(node, "row", request->row);
+    json_node_number(node, "i", request->i);
+    json_node_number(node, "j", request->j);
+    json_node_bool(node, "verbose", request->verbose);
     return node.object;
 }
 
@@ -31,29 +31,29 @@ static cJSON *scene_json(const Walkthrough *walk, bool *failed)
 {
     const Scene *scene = walk->scene;
     View view = view_of(scene);
-    Node node = node_new(failed);
-    node_text(node, "file", walk->scene_name);
-    node_number(node, "columns", view.columns);
-    node_number(node, "rows", view.rows);
-    node_number(node, "width", view.width);
-    node_number(node, "height", view.height);
-    node_number(node, "grid", walk->grid);
-    node_bool(node, "adaptive", scene->adaptive);
-    node_vector(node, "camera", walk_world(scene, view.eye));
-    node_vector(node, "distance_f", view.forward);
-    node_vector(node, "r", view.right);
-    node_vector(node, "u", view.up);
-    node_vector(node, "centre", scene->centre);
-    node_number(node, "faces", scene->face_count);
-    node_number(node, "lights", scene->light_count);
-    node_text(node, "shadow", scene->shading.shadow == SHADOW_BLACK ? "black" : "ambient");
-    node_text(node, "viewer", scene->shading.viewer == VIEWER_CAMERA ? "camera" : "ray");
-    node_number(node, "max_bounces", scene->shading.max_bounces);
-    node_vector(node, "background", scene->shading.background);
+    JsonNode node = json_node_new(failed);
+    json_node_text(node, "file", walk->scene_name);
+    json_node_number(node, "columns", view.columns);
+    json_node_number(node, "rows", view.rows);
+    json_node_number(node, "width", view.width);
+    json_node_number(node, "height", view.height);
+    json_node_number(node, "grid", walk->grid);
+    json_node_bool(node, "adaptive", scene->adaptive);
+    json_node_vector(node, "camera", walkthrough_world(scene, view.eye));
+    json_node_vector(node, "distance_f", view.forward);
+    json_node_vector(node, "r", view.right);
+    json_node_vector(node, "u", view.up);
+    json_node_vector(node, "centre", scene->centre);
+    json_node_number(node, "faces", scene->face_count);
+    json_node_number(node, "lights", scene->light_count);
+    json_node_text(node, "shadow", scene->shading.shadow == SHADOW_BLACK ? "black" : "ambient");
+    json_node_text(node, "viewer", scene->shading.viewer == VIEWER_CAMERA ? "camera" : "ray");
+    json_node_number(node, "max_bounces", scene->shading.max_bounces);
+    json_node_vector(node, "background", scene->shading.background);
     return node.object;
 }
 
-bool walkthrough_write_json(FILE *out, const Walkthrough *walk, WalkStyle style, Error *error)
+bool walkthrough_write_json(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
     (void)style;
     bool failed = false;
@@ -62,11 +62,11 @@ bool walkthrough_write_json(FILE *out, const Walkthrough *walk, WalkStyle style,
     fprintf(out, ",\n\"scene\":");
     print_object(out, scene_json(walk, &failed), &failed);
     fprintf(out, ",\n\"events\":[");
-    WalkPlace place = {0};
+    WalkthroughPlace place = {0};
     for (long i = 0; i < walk->count && !failed; i++) {
-        walk_follow(&place, walk, &walk->events[i]);
+        walkthrough_follow(&place, walk, &walk->events[i]);
         fprintf(out, i > 0 ? ",\n" : "\n");
-        print_object(out, walk_event_json(walk, &place, &walk->events[i], &failed), &failed);
+        print_object(out, walkthrough_event_json(walk, &place, &walk->events[i], &failed), &failed);
     }
     fprintf(out, "\n]}\n");
     return failed ? error_memory(error, "the walkthrough") : true;

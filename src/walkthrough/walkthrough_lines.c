@@ -5,48 +5,48 @@
 
 typedef struct Drawing {
     const Walkthrough *walk;
-    WalkPlace place;
+    WalkthroughPlace place;
     double reach;   /* how far a ray that hits nothing is drawn: as far as the longest before, or the scene's size */
     double blocker; /* t of the face that the latest shadow ray met */
-    void (*draw)(void *user, const WalkLine *line);
+    void (*draw)(void *user, const WalkthroughLine *line);
     void *user;
 } Drawing;
 
-static void draw(const Drawing *drawing, WalkLine line)
+static void draw(const Drawing *drawing, WalkthroughLine line)
 {
     const Scene *scene = drawing->walk->scene;
-    line.from = walk_world(scene, line.from);
-    line.to = walk_world(scene, line.to);
-    line.stop = walk_world(scene, line.stop);
+    line.from = walkthrough_world(scene, line.from);
+    line.to = walkthrough_world(scene, line.to);
+    line.stop = walkthrough_world(scene, line.stop);
     drawing->draw(drawing->user, &line);
 }
 
 /* Before the ray's own hit is taken into account. */
-static WalkLineKind ray_kind(const Drawing *drawing)
+static WalkthroughLineKind ray_kind(const Drawing *drawing)
 {
     return drawing->place.hit ? LINE_REFLECTED : LINE_PRIMARY;
 }
 
-static void draw_hit(Drawing *drawing, WalkLineKind kind, const Event *event)
+static void draw_hit(Drawing *drawing, WalkthroughLineKind kind, const Event *event)
 {
-    const WalkPlace *place = &drawing->place;
+    const WalkthroughPlace *place = &drawing->place;
     Vec3 point = event->as.hit.point;
     double length = vec3_length(vec3_sub(point, place->ray.origin));
     int hit = event->as.hit.step + 1, face = event->as.hit.face;
     if (length > drawing->reach || hit == 1)
         drawing->reach = length;
     Vec3 tip = vec3_add(point, vec3_scale(NORMAL_LENGTH * length, event->as.hit.normal));
-    draw(drawing, (WalkLine){.kind = kind, .from = place->ray.origin, .to = point, .hit = hit, .face = face});
-    draw(drawing, (WalkLine){.kind = LINE_NORMAL, .from = point, .to = tip, .hit = hit, .face = face});
-    draw(drawing, (WalkLine){.kind = LINE_SHIFT, .from = point, .to = event->as.hit.shifted, .hit = hit, .face = face});
+    draw(drawing, (WalkthroughLine){.kind = kind, .from = place->ray.origin, .to = point, .hit = hit, .face = face});
+    draw(drawing, (WalkthroughLine){.kind = LINE_NORMAL, .from = point, .to = tip, .hit = hit, .face = face});
+    draw(drawing, (WalkthroughLine){.kind = LINE_SHIFT, .from = point, .to = event->as.hit.shifted, .hit = hit, .face = face});
 }
 
-static void draw_miss(const Drawing *drawing, WalkLineKind kind)
+static void draw_miss(const Drawing *drawing, WalkthroughLineKind kind)
 {
     Ray ray = drawing->place.ray;
     double reach = drawing->reach > 0 ? drawing->reach : 1;
     Vec3 to = vec3_add(ray.origin, vec3_scale(reach, vec3_unit(ray.direction)));
-    draw(drawing, (WalkLine){.kind = kind, .from = ray.origin, .to = to, .face = -1, .leaves = true});
+    draw(drawing, (WalkthroughLine){.kind = kind, .from = ray.origin, .to = to, .face = -1, .leaves = true});
 }
 
 static void draw_shadow(const Drawing *drawing, const Event *event)
@@ -56,24 +56,24 @@ static void draw_shadow(const Drawing *drawing, const Event *event)
         return; /* no ray */
     bool blocked = event->as.light_end.verdict == LIGHT_BLOCKED;
     Vec3 from = light->as.light.shadow_origin, to = light->as.light.position;
-    draw(drawing, (WalkLine){
+    draw(drawing, (WalkthroughLine){
                       .kind = blocked ? LINE_BLOCKED : LINE_SHADOW,
                       .from = from,
                       .to = to,
                       .stop = vec3_add(from, vec3_scale(drawing->blocker, vec3_sub(to, from))),
-                      .hit = walk_hit_number(&drawing->place),
+                      .hit = walkthrough_hit_number(&drawing->place),
                       .light = light->as.light.light,
                       .face = event->as.light_end.blocker,
                   });
 }
 
-void walk_lines(const Walkthrough *walk, void (*draw_line)(void *user, const WalkLine *line), void *user)
+void walkthrough_lines(const Walkthrough *walk, void (*draw_line)(void *user, const WalkthroughLine *line), void *user)
 {
-    Drawing drawing = {.walk = walk, .reach = walk_scene_size(walk->scene), .draw = draw_line, .user = user};
+    Drawing drawing = {.walk = walk, .reach = walkthrough_scene_size(walk->scene), .draw = draw_line, .user = user};
     for (long i = 0; i < walk->count; i++) {
         const Event *event = &walk->events[i];
-        WalkLineKind kind = ray_kind(&drawing);
-        walk_follow(&drawing.place, walk, event);
+        WalkthroughLineKind kind = ray_kind(&drawing);
+        walkthrough_follow(&drawing.place, walk, event);
         if (!drawing.place.told)
             continue;
         if (event->kind == EVENT_HIT)

@@ -16,7 +16,7 @@ static void write_vertex(ObjFile *file, Vec3 p)
     file->vertices++;
 }
 
-static void write_group(const ObjFile *file, const WalkLine *line)
+static void write_group(const ObjFile *file, const WalkthroughLine *line)
 {
     FILE *out = file->out;
     switch (line->kind) {
@@ -41,7 +41,7 @@ static void write_group(const ObjFile *file, const WalkLine *line)
     }
 }
 
-static void write_line(void *user, const WalkLine *line)
+static void write_line(void *user, const WalkthroughLine *line)
 {
     ObjFile *file = user;
     write_group(file, line);
@@ -53,7 +53,7 @@ static void write_line(void *user, const WalkLine *line)
 static void write_face(ObjFile *file, const Scene *scene, const Face *face)
 {
     for (int k = 0; k < face->vertex_count; k++)
-        write_vertex(file, walk_world(scene, face_vertex(face, k)));
+        write_vertex(file, walkthrough_world(scene, face_vertex(face, k)));
     fprintf(file->out, "f");
     for (int k = face->vertex_count; k > 0; k--)
         fprintf(file->out, " %ld", file->vertices - k + 1);
@@ -75,14 +75,14 @@ static void write_scene(ObjFile *file, const Scene *scene)
     }
 }
 
-bool walkthrough_write_obj(FILE *out, const Walkthrough *walk, WalkStyle style, Error *error)
+bool walkthrough_write_obj(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
     (void)error;
     ObjFile file = {.out = out};
     fprintf(out, "# The path of pixel (%d, %d) of %s, in the coordinates of that file.\n", walk->request.column,
             walk->request.row, ink_name(walk->scene_name, 60).text);
     fprintf(out, "# The shifted points are so near to their hits that no viewer can tell them apart.\n");
-    walk_lines(walk, write_line, &file);
+    walkthrough_lines(walk, write_line, &file);
     if (style.with_scene)
         write_scene(&file, walk->scene);
     return true;

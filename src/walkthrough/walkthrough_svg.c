@@ -44,14 +44,14 @@ static void measure_line(Extent *extent, Vec3 from, Vec3 to)
 }
 
 /* The path itself; of a ray that leaves the scene the first part. */
-static void measure_path(void *user, const WalkLine *line)
+static void measure_path(void *user, const WalkthroughLine *line)
 {
     Vec3 way = vec3_sub(line->to, line->from);
     if (line->kind == LINE_PRIMARY || line->kind == LINE_REFLECTED)
         measure_line(user, line->from, vec3_add(line->from, vec3_scale(line->leaves ? 0.4 : 1, way)));
 }
 
-static void measure_light(void *user, const WalkLine *line)
+static void measure_light(void *user, const WalkthroughLine *line)
 {
     Extent *extent = user;
     bool shadow = line->kind == LINE_SHADOW || line->kind == LINE_BLOCKED;
@@ -61,11 +61,11 @@ static void measure_light(void *user, const WalkLine *line)
 
 static Extent measure(const Walkthrough *walk)
 {
-    Vec3 camera = walk_world(walk->scene, walk->scene->camera.position);
+    Vec3 camera = walkthrough_world(walk->scene, walk->scene->camera.position);
     Extent extent = {.low = camera, .high = camera};
-    walk_lines(walk, measure_path, &extent);
+    walkthrough_lines(walk, measure_path, &extent);
     extent.farthest_light = FAR_LIGHT * vec3_length(vec3_sub(extent.high, extent.low));
-    walk_lines(walk, measure_light, &extent);
+    walkthrough_lines(walk, measure_light, &extent);
     return extent;
 }
 
@@ -92,10 +92,10 @@ static void draw_faces(const Painter *painter)
     const Walkthrough *walk = painter->walk;
     for (int i = 0; i < walk->scene->face_count && walk->scene->face_count <= FACES_MAX; i++)
         svg_face(&painter->view, walk->scene, i, "class='face'");
-    WalkPlace place = {0};
+    WalkthroughPlace place = {0};
     for (long i = 0; i < walk->count; i++) {
         const Event *event = &walk->events[i];
-        walk_follow(&place, walk, event);
+        walkthrough_follow(&place, walk, event);
         if (place.told && event->kind == EVENT_HIT)
             svg_face(&painter->view, walk->scene, event->as.hit.face, "class='hit'");
         else if (place.told && event->kind == EVENT_LIGHT_END && event->as.light_end.blocker >= 0)
@@ -103,7 +103,7 @@ static void draw_faces(const Painter *painter)
     }
 }
 
-static void draw_line(void *user, const WalkLine *line)
+static void draw_line(void *user, const WalkthroughLine *line)
 {
     static const char *const styles[] = {
         [LINE_PRIMARY] = "class='primary' marker-end='url(#to1)'",
@@ -120,7 +120,7 @@ static void draw_line(void *user, const WalkLine *line)
         svg_cross(&painter->view, line->stop, colours[LINE_BLOCKED]);
 }
 
-static void draw_mark(void *user, const WalkLine *line)
+static void draw_mark(void *user, const WalkthroughLine *line)
 {
     Painter *painter = user;
     SvgView *view = &painter->view;
@@ -146,8 +146,8 @@ static void draw_panel(FILE *out, const Walkthrough *walk, SvgDirection directio
             box.left, box.top, box.right - box.left, box.bottom - box.top);
     svg_view_begin(&painter.view, out, direction, box, low, high);
     draw_faces(&painter);
-    walk_lines(walk, draw_line, &painter);
-    walk_lines(walk, draw_mark, &painter);
+    walkthrough_lines(walk, draw_line, &painter);
+    walkthrough_lines(walk, draw_mark, &painter);
     svg_view_end(&painter.view);
 }
 
@@ -165,10 +165,10 @@ static void print_escaped(FILE *out, const char *text)
 
 static int count_captions(const Walkthrough *walk)
 {
-    WalkPlace place = {0};
+    WalkthroughPlace place = {0};
     int count = 0;
     for (long i = 0; i < walk->count; i++) {
-        walk_follow(&place, walk, &walk->events[i]);
+        walkthrough_follow(&place, walk, &walk->events[i]);
         count += place.told && walk->events[i].kind == EVENT_HIT && count < CAPTIONS_MAX;
     }
     return count;
@@ -193,7 +193,7 @@ static void draw_head(FILE *out, const Walkthrough *walk)
     for (int k = LINE_PRIMARY; k < LINE_SHIFT; k++)
         fprintf(out, ".%s{stroke:%s;stroke-width:%s}\n", names[k], colours[k], widths[k]);
     fprintf(out, "</style>\n<rect width='%d' height='%d' fill='#fafafa'/>\n", WIDTH, height);
-    static const WalkLineKind tipped[] = {LINE_PRIMARY, LINE_REFLECTED, LINE_NORMAL};
+    static const WalkthroughLineKind tipped[] = {LINE_PRIMARY, LINE_REFLECTED, LINE_NORMAL};
     for (int k = 0; k < 3; k++)
         fprintf(out,
                 "<marker id='to%d' viewBox='0 0 10 10' refX='9' refY='5' markerWidth='5' markerHeight='5' "
@@ -224,19 +224,19 @@ static void draw_legend(FILE *out)
 static void draw_captions(FILE *out, const Walkthrough *walk)
 {
     const Scene *scene = walk->scene;
-    WalkPlace place = {0};
+    WalkthroughPlace place = {0};
     int lines = 0;
     for (long i = 0; i < walk->count; i++) {
         const Event *event = &walk->events[i];
-        walk_follow(&place, walk, event);
+        walkthrough_follow(&place, walk, event);
         if (!place.told || event->kind != EVENT_HIT || lines == CAPTIONS_MAX)
             continue;
         const Face *face = &scene->faces[event->as.hit.face];
-        InkText text = ink_text("P%d", walk_hit_number(&place));
+        InkText text = ink_text("P%d", walkthrough_hit_number(&place));
         fprintf(out, "<text x='60' y='%d'>%s: face %d, ", CAPTIONS_TOP + CAPTION_HEIGHT * lines++, text.text,
                 face->number);
         print_escaped(out, ink_name(scene->objects[face->object].name, 40).text);
-        fprintf(out, "/%d, of ", walk_face_in_object(scene, event->as.hit.face));
+        fprintf(out, "/%d, of ", walkthrough_face_in_object(scene, event->as.hit.face));
         print_escaped(out, ink_name(scene->materials[face->material].name, 40).text);
         fprintf(out, ", with weight %s</text>\n", ink_number(place.weight, 6).text);
     }
@@ -246,7 +246,7 @@ static void draw_captions(FILE *out, const Walkthrough *walk)
                 CAPTIONS_TOP, scene->face_count);
 }
 
-bool walkthrough_write_svg(FILE *out, const Walkthrough *walk, WalkStyle style, Error *error)
+bool walkthrough_write_svg(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
     (void)style;
     (void)error;

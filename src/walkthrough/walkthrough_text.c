@@ -12,7 +12,7 @@
 static int place_digits(const Scene *scene)
 {
     Vec3 c = scene->centre;
-    double far = fmax(fabs(c.x), fmax(fabs(c.y), fabs(c.z))), size = walk_scene_size(scene);
+    double far = fmax(fabs(c.x), fmax(fabs(c.y), fabs(c.z))), size = walkthrough_scene_size(scene);
     int more = size > 0 && far > size ? (int)ceil(log10(far / size)) : 0;
     return more > 9 ? 15 : INK_DIGITS + more;
 }
@@ -53,7 +53,7 @@ static void print_head(const WalkthroughText *text)
 {
     const Walkthrough *walk = text->walk;
     const Scene *scene = walk->scene;
-    const WalkRequest *request = &walk->request;
+    const WalkthroughRequest *request = &walk->request;
     const Ink *ink = &text->ink;
     fprintf(ink->out, "%sPixel (%d, %d) of %s%s\n\n", ink_colour(ink, 'b'), request->column, request->row,
             ink_name(walk->scene_name, 60).text, ink_colour(ink, '0'));
@@ -118,7 +118,7 @@ static void print_sample(WalkthroughText *text, const Event *event)
 
 static void print_shaded(WalkthroughText *text, const Event *event)
 {
-    int number = walk_hit_number(&text->place);
+    int number = walkthrough_hit_number(&text->place);
     text->weight = event->as.shaded.weight;
     walkthrough_text_step(text, ink_text("What P%d adds to the pixel", number).text);
     if (event->as.shaded.lights_reaching == 0)
@@ -131,7 +131,7 @@ static void print_shaded(WalkthroughText *text, const Event *event)
 
 static void print_reflected(WalkthroughText *text, const Event *event)
 {
-    int number = walk_hit_number(&text->place);
+    int number = walkthrough_hit_number(&text->place);
     Vec3 r = event->as.reflected.r_unit, normal = text->place.hit->as.hit.normal;
     double r_dot_n = vec3_dot(r, normal);
     walkthrough_text_step(text, ink_text("The mirror at P%d", number).text);
@@ -225,13 +225,13 @@ static void print_event(WalkthroughText *text, const Event *event)
     }
 }
 
-bool walkthrough_write_text(FILE *out, const Walkthrough *walk, WalkStyle style, Error *error)
+bool walkthrough_write_text(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
     (void)error;
     WalkthroughText text = {.ink = {out, style.colour}, .walk = walk, .digits = place_digits(walk->scene)};
     print_head(&text);
     for (long i = 0; i < walk->count; i++) {
-        walk_follow(&text.place, walk, &walk->events[i]);
+        walkthrough_follow(&text.place, walk, &walk->events[i]);
         if (text.place.told || walk->events[i].kind == EVENT_PIXEL)
             print_event(&text, &walk->events[i]);
     }

@@ -41,7 +41,7 @@ static void print_inside_test(const WalkthroughText *text, const Event *event)
     InkText e[4], c[4];
     int wide_e = 0, wide_c = 0;
     for (int k = 0; k < test->edges; k++) {
-        WalkEdge edge = walk_edge(face, k, event->as.hit.point);
+        WalkthroughEdge edge = walkthrough_edge(face, k, event->as.hit.point);
         e[k] = ink_vector(edge.e, 5);
         c[k] = ink_vector(edge.c, 5);
         wide_e = (int)fmax(wide_e, (double)strlen(e[k].text));

@@ -10,7 +10,7 @@ void walkthrough_text_light(WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
-    int number = walk_hit_number(&text->place), index = event->as.light.light, side = event->as.light.side;
+    int number = walkthrough_hit_number(&text->place), index = event->as.light.light, side = event->as.light.side;
     const Event *hit = text->place.hit;
     walkthrough_text_step(text, ink_text("Light %d at P%d", index, number).text);
     InkRow rows[] = {
@@ -41,7 +41,7 @@ void walkthrough_text_light_end(WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
-    int number = walk_hit_number(&text->place), index = event->as.light_end.light;
+    int number = walkthrough_hit_number(&text->place), index = event->as.light_end.light;
     if (event->as.light_end.verdict == LIGHT_REACHES) {
         ink_line(ink, "    Nothing is in the way: light %d reaches P%d.\n", index, number);
         return;
@@ -143,7 +143,7 @@ void walkthrough_text_terms(WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
-    int number = walk_hit_number(&text->place);
+    int number = walkthrough_hit_number(&text->place);
     const Material *material = &scene->materials[scene->faces[text->place.hit->as.hit.face].material];
     const Light *light = &scene->lights[event->as.terms.light];
     const Illumination *terms = &event->as.terms.illumination;

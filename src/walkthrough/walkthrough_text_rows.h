@@ -8,7 +8,7 @@
 typedef struct WalkthroughText {
     Ink ink;
     const Walkthrough *walk;
-    WalkPlace place;
+    WalkthroughPlace place;
     int step;       /* number of the last step's heading */
     int digits;     /* of positions: more than 6 in a scene far from the origin */
     double weight;  /* of the last hit */

@@ -40,8 +40,8 @@ static void print_nodes(const WalkthroughText *text, const Event *tally)
                                    tally->as.tally.nodes_met);
     for (const Event *event = tally + 1;
          event->kind == EVENT_NODE || event->kind == EVENT_FACE || event->kind == EVENT_OCCLUDER; event++) {
-        const WalkNode *node = &event->as.node;
-        if (event->kind != EVENT_NODE || !node->entered || told == WALK_NODES_TOLD)
+        const TraversalNode *node = &event->as.node;
+        if (event->kind != EVENT_NODE || !node->entered || told == WALKTHROUGH_NODES_TOLD)
             continue;
         used += (size_t)snprintf(line + used, sizeof line - used, "%s %d", told++ > 0 ? "," : ":", node->node);
         if (node->faces > 0)
@@ -52,7 +52,7 @@ static void print_nodes(const WalkthroughText *text, const Event *tally)
 
 void walkthrough_text_node(WalkthroughText *text, const Event *event)
 {
-    const WalkNode *node = &event->as.node;
+    const TraversalNode *node = &event->as.node;
     if (!text->walk->request.verbose)
         return; /* the tally has told it */
     if (!text->rows_told)
@@ -152,7 +152,7 @@ static bool is_met_again(const Event *event)
 void walkthrough_text_face_tested(WalkthroughText *text, const Event *event)
 {
     const FaceTest *test = &event->as.face.test;
-    InkText verdict = ink_text("%s", walk_face_verdicts[test->verdict]);
+    InkText verdict = ink_text("%s", walkthrough_face_verdicts[test->verdict]);
     if (is_nearest(event))
         verdict = ink_text(is_met_again(event) ? "met again" : "nearest");
     else if (test->verdict == FACE_INSIDE)
@@ -169,7 +169,7 @@ void walkthrough_text_face_tested(WalkthroughText *text, const Event *event)
 void walkthrough_text_occluder_tested(WalkthroughText *text, const Event *event)
 {
     const FaceTest *test = &event->as.occluder.test;
-    InkText verdict = ink_text("%s", walk_face_verdicts[test->verdict]);
+    InkText verdict = ink_text("%s", walkthrough_face_verdicts[test->verdict]);
     if (test->verdict == FACE_INSIDE)
         verdict = ink_text("in the way");
     else if (test->verdict == FACE_FARTHER)

@@ -4,7 +4,7 @@
 static void print_reason(WalkthroughText *text, const Event *event)
 {
     const Shading *shading = &text->walk->scene->shading;
-    int number = walk_hit_number(&text->place);
+    int number = walkthrough_hit_number(&text->place);
     InkText reason = ink_text("the ray met no face");
     if (event->as.path_end.reason == PATH_IN_SHADOW)
         reason = ink_text("no light reaches P%d, and \"shadow\" is \"black\"", number);

@@ -20,7 +20,7 @@ int fuzz_mtl(const uint8_t *data, size_t size)
     char *copy = strdup(path);
     REQUIRE(copy);
     MtlLibrary library = {0};
-    if (mtl_read(&library, copy, &error)) {
+    if (scene_mtl_read(&library, copy, &error)) {
         REQUIRE(error.kind == ERROR_NONE);
         for (int i = 0; i < library.count; i++) {
             const Material *material = &library.materials[i];
@@ -30,9 +30,9 @@ int fuzz_mtl(const uint8_t *data, size_t size)
         }
         int before = library.count;
         copy = strdup(path);
-        REQUIRE(copy && mtl_read(&library, copy, &error) && library.count == before); /* read once only */
+        REQUIRE(copy && scene_mtl_read(&library, copy, &error) && library.count == before); /* read once only */
     } else
         fuzz_check_error(&error);
-    mtl_free(&library);
+    scene_mtl_free(&library);
     return 0;
 }

@@ -22,19 +22,19 @@ int fuzz_obj(const uint8_t *data, size_t size)
         .grid = 1,
     };
     SceneBuild build = {.scene = &scene, .error = &error};
-    BuildObject object = {.transform = transform_identity(), .material = length % 2 ? 0 : -1, .split = length % 4 < 2};
-    REQUIRE(build_material(&build, (Material){.name = "own", .ambient = {1, 1, 1}}) == 0);
+    SceneBuildObject object = {.transform = transform_identity(), .material = length % 2 ? 0 : -1, .split = length % 4 < 2};
+    REQUIRE(scene_build_material(&build, (Material){.name = "own", .ambient = {1, 1, 1}}) == 0);
     REQUIRE(names_add(&build.materials, scene.materials[0].name, 0, &error));
-    REQUIRE(build_object(&build, "model", object));
-    if (obj_read(&build, path)) {
+    REQUIRE(scene_build_object(&build, "model", object));
+    if (scene_obj_read(&build, path)) {
         REQUIRE(error.kind == ERROR_NONE && build.face_count > 0);
-        if (build_finish(&build))
+        if (scene_build_finish(&build))
             fuzz_check_scene(&scene);
         else
             REQUIRE(build.reason[0]);
     } else
         fuzz_check_error(&error);
-    build_free(&build);
+    scene_build_free(&build);
     scene_free(&scene);
     return 0;
 }

@@ -59,7 +59,7 @@ int fuzz_options(const uint8_t *data, size_t size)
     Options options;
     error.kind = ERROR_NONE;
     error.text[0] = '\0';
-    const Command *command = command_find(COMMANDS, argv[0], &error);
+    const Command *command = options_find_command(COMMANDS, argv[0], &error);
     if (command && options_parse(&options, command, argc, argv, &error)) {
         REQUIRE(error.kind == ERROR_NONE);
         check_options(&options, command);

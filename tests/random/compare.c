@@ -96,7 +96,7 @@ static Off away_from_edges(const Scene *scene, const Picture *expected, const Pi
 
 /* Where every face is asked, all other work is done, too, that could be left out, but for what the reference leaves out; then
  * all counts are equal. With a tree, work is left out. */
-enum { DOES_ALL = ((1 << SKIPS) - 1) & ~(1 << SKIP_LIGHT_BEHIND) };
+enum { DOES_ALL = ((1 << SKIP_KINDS) - 1) & ~(1 << SKIP_LIGHT_BEHIND) };
 
 static bool same_counts(const RenderReport *expected, const RenderReport *found, bool all)
 {

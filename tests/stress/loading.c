@@ -13,14 +13,14 @@ static bool build_one(Scene *scene, const Vec3 *corners, int count, char *reason
     Error error = {0};
     *scene = (Scene){.camera = {.look_at = {0, 0, -1}, .up = {0, 1, 0}}, .grid = 1};
     SceneBuild build = {.scene = scene, .error = &error};
-    int material = build_material(&build, (Material){.name = "dull"});
+    int material = scene_build_material(&build, (Material){.name = "dull"});
     const int vertices[4] = {0, 1, 2, 3};
-    bool good = build_object(&build, "face", (BuildObject){.transform = transform_identity(), .material = material});
+    bool good = scene_build_object(&build, "face", (SceneBuildObject){.transform = transform_identity(), .material = material});
     for (int k = 0; good && k < count; k++)
-        good = build_point(&build, corners[k]);
-    good = good && build_face(&build, vertices, count, material, 0) && build_finish(&build);
+        good = scene_build_point(&build, corners[k]);
+    good = good && scene_build_face(&build, vertices, count, material, 0) && scene_build_finish(&build);
     snprintf(reason, size, "%s", build.reason);
-    build_free(&build);
+    scene_build_free(&build);
     return good;
 }
 

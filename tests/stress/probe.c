@@ -72,11 +72,11 @@ void probe_load(Probe *probe, const Scene *scene)
     size_t faces = (size_t)(scene->face_count > 0 ? scene->face_count : 1);
     probe->parameters = new_buffer(probe, sizeof(Parameters), NULL);
     probe->faces = new_buffer(probe, faces * sizeof(FaceRecord), packed.faces);
-    probe->edges = new_buffer(probe, reals_bytes(&packed.edges), packed.edges.data);
-    probe->planes = new_buffer(probe, reals_bytes(&packed.planes), packed.planes.data);
-    probe->materials = new_buffer(probe, reals_bytes(&packed.materials), packed.materials.data);
-    probe->lights = new_buffer(probe, reals_bytes(&packed.lights), packed.lights.data);
-    probe->view = new_buffer(probe, reals_bytes(&packed.view), packed.view.data);
+    probe->edges = new_buffer(probe, device_reals_bytes(&packed.edges), packed.edges.data);
+    probe->planes = new_buffer(probe, device_reals_bytes(&packed.planes), packed.planes.data);
+    probe->materials = new_buffer(probe, device_reals_bytes(&packed.materials), packed.materials.data);
+    probe->lights = new_buffer(probe, device_reals_bytes(&packed.lights), packed.lights.data);
+    probe->view = new_buffer(probe, device_reals_bytes(&packed.view), packed.view.data);
     probe->counters = new_buffer(probe, COUNTER_STRIPES * COUNTER_STRIDE * sizeof(cl_uint), NULL);
     probe->launch = (Parameters){
         .face_count = scene->face_count,

@@ -1,22 +1,22 @@
 /* The truth that bench error measures against: the box-filtered colours of a scene's pixels, from some 8000 rays each. */
-#ifndef RECTRAY_BENCH_TRUTH_H
-#define RECTRAY_BENCH_TRUTH_H
+#ifndef RECTRAY_BENCH_GROUND_TRUTH_H
+#define RECTRAY_BENCH_GROUND_TRUTH_H
 
 #include "bench/bench_picture.h"
 
 enum { TRUTH_GRID = 64, TRUTH_CHECKS = 16 };
 
-typedef struct BenchTruth {
+typedef struct BenchGroundTruth {
     BenchPicture picture;
-    double own_error; /* RMSE, as estimated: see bench_truth */
+    double own_error; /* RMSE, as estimated: see bench_ground_truth */
     double check;     /* the largest difference of a channel from the reference tracer, of TRUTH_CHECKS pixels */
-} BenchTruth;
+} BenchGroundTruth;
 
 /* Traces the scene by the double kernel with grids of 64 and of 63, which share no ray, and takes their mean. Half
  * their difference is an estimate of its error: were the errors of the two independent, the mean's would be as large.
  * The reference tracer then traces some pixels with the grid of 64, too. The truth is to be freed also after a failure. */
-bool bench_truth(BenchTruth *truth, const Scene *scene, const RenderSettings *settings, Error *error);
-void bench_truth_free(BenchTruth *truth);
+bool bench_ground_truth(BenchGroundTruth *truth, const Scene *scene, const RenderSettings *settings, Error *error);
+void bench_ground_truth_free(BenchGroundTruth *truth);
 
 /* The scene's picture by the double kernel with any grid. It is traced in a larger size and averaged over blocks of pixels:
  * the same rays, which the kernel traces faster side by side. */

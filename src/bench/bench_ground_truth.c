@@ -1,5 +1,5 @@
 /* The truth about a scene's pixels. */
-#include "bench/bench_truth.h"
+#include "bench/bench_ground_truth.h"
 
 #include "trace/accel.h"
 #include "trace/reference.h"
@@ -75,10 +75,10 @@ static bool check_pixels(const BenchPicture *picture, const Scene *scene, double
     return ok;
 }
 
-bool bench_truth(BenchTruth *truth, const Scene *scene, const RenderSettings *settings, Error *error)
+bool bench_ground_truth(BenchGroundTruth *truth, const Scene *scene, const RenderSettings *settings, Error *error)
 {
     BenchPicture other = {0};
-    *truth = (BenchTruth){0};
+    *truth = (BenchGroundTruth){0};
     bool ok = bench_picture_fine(&truth->picture, scene, TRUTH_GRID, settings, error) &&
               bench_picture_fine(&other, scene, TRUTH_GRID - 1, settings, error) &&
               check_pixels(&truth->picture, scene, &truth->check, error);
@@ -92,7 +92,7 @@ bool bench_truth(BenchTruth *truth, const Scene *scene, const RenderSettings *se
     return ok;
 }
 
-void bench_truth_free(BenchTruth *truth)
+void bench_ground_truth_free(BenchGroundTruth *truth)
 {
     bench_picture_free(&truth->picture);
 }

@@ -1,0 +1,11 @@
+/* An event of a walkthrough as a JSON object. */
+#ifndef RECTRAY_WALKTHROUGH_JSON_EVENT_H
+#define RECTRAY_WALKTHROUGH_JSON_EVENT_H
+
+#include "json/json_node.h"
+#include "walkthrough/walkthrough.h"
+
+/* The caller deletes the object. *failed is set when memory is wanting. */
+cJSON *walkthrough_event_json(const Walkthrough *walk, const WalkthroughPlace *place, const Event *event, bool *failed);
+
+#endif
