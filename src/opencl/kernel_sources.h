@@ -1,13 +1,11 @@
-/* The OpenCL kernels inside the program, so that it runs from any directory.
- * The Makefile makes the definitions from kernels/, in the order of its variable KERNELS, which is the order in
- * which the texts are to be compiled. */
+/* The OpenCL kernels inside the program, so that it runs from any directory. kernels/embed.sh writes the definitions. */
 #ifndef RECTRAY_KERNEL_SOURCES_H
 #define RECTRAY_KERNEL_SOURCES_H
 
 #include <stddef.h>
 
 typedef struct KernelSource {
-    const char *name; /* the file's name, without its folder */
+    const char *name; /* its path below kernels/ */
     const char *text; /* ends in a NUL that length does not count */
     size_t length;
 } KernelSource;

@@ -1,0 +1,110 @@
+# How the tests are built, and what renews the texts that they compare with. A suite is a file at the top of tests/:
+# test_NAME.c (Unity), NAME_test.py or NAME_test.sh. To add one, add the file. What several suites share lies in
+# tests/support/; a suite that needs an object of it gets a line under "Suites" below.
+# `make test` itself stands in the Makefile, which includes this file.
+
+# --- Which suites ---------------------------------------------------------------------------------------------
+
+UNIT_TESTS   := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/test_$(suite).c))
+SCRIPT_TESTS := $(wildcard tests/$(suite)_test.py tests/$(suite)_test.sh)
+
+STRESS         := $(BUILD)/stress
+FAULTS         := $(BUILD)/faults/memory.so $(BUILD)/faults/opencl.so
+RANDOM_COMPARE := $(BUILD)/compare_scenes
+
+# Programs that a script runs beside rectray.
+SCRIPT_TEST_PROGRAMS := $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS)) \
+    $(if $(filter %/faults_test.py,$(SCRIPT_TESTS)),$(FAULTS)) \
+    $(if $(filter %/random_scenes_test.sh,$(SCRIPT_TESTS)),$(RANDOM_COMPARE))
+
+STRESS_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/stress/*.c)) $(BUILD)/tests/support/oracle.o
+FUZZ_OBJECTS   := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/fuzz/fuzz_*.c)) $(BUILD)/tests/fuzz/shared.o
+RANDOM_OBJECTS := $(BUILD)/tests/random/compare.o $(BUILD)/tests/support/near_edge.o
+
+# --- Unity ----------------------------------------------------------------------------------------------------
+
+UNITY_DIR ?= build/unity
+
+# As a system header, Unity may use macros that our warnings would refuse. Flushed, a test that crashes still tells
+# which ones passed before it.
+UNITY_FLAGS := -isystem $(UNITY_DIR) -DUNITY_INCLUDE_DOUBLE -DUNITY_SUPPORT_64 -DUNITY_USE_FLUSH_STDOUT
+
+# Fetched, not kept here; a folder that UNITY_DIR names must have it.
+build/unity/unity.c:
+	@.ci/unity $(@D)
+
+$(BUILD)/tests/unity.o: $(UNITY_DIR)/unity.c
+	@mkdir -p $(@D)
+	$(call say,compile,$<)
+	$(Q)$(CC) -std=c99 $(CFLAGS) $(INSTRUMENT) $(UNITY_FLAGS) -c $< -o $@
+
+# --- Suites ---------------------------------------------------------------------------------------------------
+
+$(BUILD)/tests/%.o: tests/%.c $(UNITY_DIR)/unity.c | $(FOUND)
+	@mkdir -p $(@D)
+	$(call say,compile,$<)
+	$(Q)$(COMPILE) $(UNITY_FLAGS) -Itests -c $< -o $@
+
+$(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(BUILD)/tests/unity.o $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(LINK) $^ $(LIBS) -o $@
+
+# The exact oracle reckons in integers of any size, exact coverage in rationals.
+$(BUILD)/tests/test_oracle: $(BUILD)/tests/support/oracle.o
+$(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(BUILD)/tests/support/coverage.o $(BUILD)/tests/support/polygon.o
+$(BUILD)/tests/test_oracle $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: LIBS += -lgmp
+
+$(BUILD)/tests/test_backends: $(BUILD)/tests/support/near_edge.o
+$(BUILD)/tests/test_backends: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
+
+# The fuzzers' targets over the inputs that are kept; they too call the library.
+$(BUILD)/tests/test_fuzz: $(FUZZ_OBJECTS)
+$(BUILD)/tests/test_fuzz: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
+
+# What fails on command under the program: memory, OpenCL. A sanitizer looks through it for the caller.
+$(BUILD)/faults/%.so: tests/faults/%.c
+	@mkdir -p $(@D)
+	$(call say,compile,$<)
+	$(Q)$(CC) -std=gnu11 $(WARNINGS) $(WERROR) -O1 -g -fno-omit-frame-pointer -shared -fPIC $< -ldl -o $@
+
+# --- Stress: `make test` runs a small part of it, `make stress` all of it -------------------------------------
+
+$(STRESS): $(STRESS_OBJECTS) $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(LINK) $^ $(LIBS) -lgmp -o $@
+
+$(BUILD)/tests/stress/%.o: CPPFLAGS += -Itests -I$(BUILD)/tests/stress
+$(BUILD)/tests/stress/probe_sources.o: $(BUILD)/tests/stress/probe_cl.inc
+
+$(BUILD)/tests/stress/probe_cl.inc: tests/stress/probe.cl
+	@mkdir -p $(@D)
+	@od -An -v -tu1 $< | sed 's/  */ /g; s/\([0-9]\) /\1, /g; s/$$/,/' > $@
+
+# --- Random scenes on both backends: `make test` renders some, this as many as you like -------------------------
+
+COUNT ?= 1000
+
+.PHONY: random-scenes
+random-scenes: ## render random scenes on both backends and compare (COUNT=1000 SEED=1); failing ones stay in build/
+	@$(SETUP) build run test
+	@$(MAKE) --no-print-directory --silent $(RANDOM_COMPARE)
+	@python3 tests/random/run.py $(RANDOM_COMPARE) $(BUILD)/random-scenes $(COUNT) $(SEED)
+
+$(RANDOM_OBJECTS): CPPFLAGS += -Itests
+
+$(RANDOM_COMPARE): $(RANDOM_OBJECTS) $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(LINK) $^ $(LIBS) -o $@
+
+# --- Texts that are renewed -----------------------------------------------------------------------------------
+
+.PHONY: golden
+golden: $(PROGRAM) ## renew tests/golden/ and the output in docs/walkthrough.md after a change of wording
+	RECTRAY=$(abspath $(PROGRAM)) python3 tests/golden_test.py --renew
+
+.PHONY: stability
+stability: $(STRESS) ## the stress suite, written as a table into docs/stability.md
+	@.ci/stability $(STRESS) --seed $(SEED) --scale $(SCALE)
+
+-include $(STRESS_OBJECTS:.o=.d) $(FUZZ_OBJECTS:.o=.d) $(RANDOM_OBJECTS:.o=.d)
+-include $(patsubst tests/%.c,$(BUILD)/tests/%.d,$(wildcard tests/test_*.c tests/support/*.c))
