@@ -1,10 +1,10 @@
 # Builds rectray, a teaching ray tracer. `make help` lists what can be made.
 #
 # This file is what a user needs. What stands beside it is included at its end: tests/tests.mk builds the suites,
-# tests/care.mk has sanitizers, mutants, fuzzers and lint, tests/peers/peers.mk the programs that we measure against.
+# .ci/care.mk has sanitizers, mutants, fuzzers and lint, tests/peers/peers.mk the programs that we measure against.
 #
 # Everything built goes under $(BUILD). Variants (sanitizers, another compiler) are this same Makefile called
-# again with another BUILD and other flags: see `asan` and `clang` in tests/care.mk.
+# again with another BUILD and other flags: see `asan` and `clang` in .ci/care.mk.
 
 BUILD  ?= build
 PREFIX ?= /usr/local
@@ -160,7 +160,7 @@ bench: ## measure the ladder of scenes: tables here, plots in build/bench/ (many
 
 # --- The rest -------------------------------------------------------------------------------------------------
 
-PARTS := tests/tests.mk tests/care.mk tests/peers/peers.mk
+PARTS := tests/tests.mk .ci/care.mk tests/peers/peers.mk
 include $(PARTS)
 
 .PHONY: clean

@@ -2,8 +2,11 @@
 #include "trace/accel.h"
 
 #include "support/crowds.h"
+#include "support/xorshift.h"
 #include "trace/reference.h"
 #include "trace/reference_render.h"
+
+#include "unity.h"
 
 #include <string.h>
 

@@ -6,7 +6,9 @@
 #include "trace/reference_render.h"
 #include "reader/scene_json.h"
 
-#include "support/support.h"
+#include "support/small_scene.h"
+
+#include "unity.h"
 
 #include <glob.h>
 #include <stdio.h>

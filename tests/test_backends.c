@@ -7,7 +7,8 @@
 #include "reader/scene_json.h"
 
 #include "support/near_edge.h"
-#include "support/support.h"
+
+#include "unity.h"
 
 #include <glob.h>
 #include <stdio.h>

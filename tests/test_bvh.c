@@ -2,6 +2,9 @@
 #include "trace/bvh.h"
 
 #include "support/crowds.h"
+#include "support/small_scene.h"
+
+#include "unity.h"
 
 #include <string.h>
 

@@ -3,7 +3,9 @@
 #include "support/coverage.h"
 #include "trace/reference.h"
 
-#include "support/support.h"
+#include "support/small_scene.h"
+
+#include "unity.h"
 
 enum { COLUMNS = 40, ROWS = 30, PIXELS = COLUMNS * ROWS };
 

@@ -1,7 +1,11 @@
 /* The scene as the kernels get it: values that a float cannot hold travel as two, and bounds do not fall short. */
 #include "opencl/device_scene.h"
 
-#include "support/support.h"
+#include "support/assert_vec3.h"
+#include "support/small_scene.h"
+#include "support/xorshift.h"
+
+#include "unity.h"
 
 #include <string.h>
 

@@ -5,6 +5,8 @@
 
 #include "support/crowds.h"
 
+#include "unity.h"
+
 enum { FACES = 500, FEW = 14, WIDTHS = 3 };
 
 static const int widths[WIDTHS] = {4, 8, 16};

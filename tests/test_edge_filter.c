@@ -3,7 +3,10 @@
 #include "opencl/opencl_cast.h"
 #include "trace/reference.h"
 
-#include "support/support.h"
+#include "support/small_scene.h"
+#include "support/xorshift.h"
+
+#include "unity.h"
 
 #include <stdio.h>
 

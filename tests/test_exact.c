@@ -2,7 +2,9 @@
  * value is small and known, while each of their six products is so large that plain doubles lose it. */
 #include "scene/exact.h"
 
-#include "support/support.h"
+#include "support/xorshift.h"
+
+#include "unity.h"
 
 void setUp(void) {}
 void tearDown(void) {}

@@ -1,7 +1,11 @@
 /* The formulas of tracing, on planes and rays whose answers can be written down. */
 #include "scene/geometry.h"
 
-#include "support/support.h"
+#include "support/assert_vec3.h"
+#include "support/small_scene.h"
+#include "support/xorshift.h"
+
+#include "unity.h"
 
 void setUp(void) {}
 void tearDown(void) {}

@@ -2,6 +2,9 @@
 #include "trace/kdtree.h"
 
 #include "support/crowds.h"
+#include "support/xorshift.h"
+
+#include "unity.h"
 
 #include <string.h>
 

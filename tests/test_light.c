@@ -1,7 +1,9 @@
 /* Blinn-Phong, term by term, on vectors whose angles have closed-form cosines; and the last step to 8 bits. */
 #include "scene/light.h"
 
-#include "support/support.h"
+#include "support/assert_vec3.h"
+
+#include "unity.h"
 
 #define EXACT 1e-15
 

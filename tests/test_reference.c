@@ -1,7 +1,10 @@
 /* The reference tracer on scenes so small that their colours are known in closed form. */
 #include "trace/reference.h"
 
-#include "support/support.h"
+#include "support/assert_vec3.h"
+#include "support/small_scene.h"
+
+#include "unity.h"
 
 #include <string.h>
 

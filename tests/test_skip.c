@@ -4,7 +4,9 @@
 #include "trace/reference_render.h"
 #include "trace/skip.h"
 
-#include "support/support.h"
+#include "support/small_scene.h"
+
+#include "unity.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,11 @@
 #include "trace/reference.h"
 #include "reader/scene_json.h"
 
-#include "support/support.h"
+#include "support/assert_vec3.h"
+#include "support/small_scene.h"
+#include "support/xorshift.h"
+
+#include "unity.h"
 
 static SmallScene small;
 static RenderReport report;

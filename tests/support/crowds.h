@@ -3,7 +3,10 @@
 #ifndef RECTRAY_TESTS_CROWDS_H
 #define RECTRAY_TESTS_CROWDS_H
 
-#include "support.h"
+#include "small_scene.h"
+#include "xorshift.h"
+
+#include "unity.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,14 +1,10 @@
 /* Small scenes for the tests, built in memory without a file and therefore not re-centred: what a test writes is what
  * is traced. Begin a SmallScene, add to it, then trace `small.scene`; it owns nothing and needs no freeing. */
-#ifndef RECTRAY_TESTS_SUPPORT_H
-#define RECTRAY_TESTS_SUPPORT_H
+#ifndef RECTRAY_TESTS_SMALL_SCENE_H
+#define RECTRAY_TESTS_SMALL_SCENE_H
 
 #include "scene/geometry.h"
 #include "scene/scene.h"
-
-#include "unity.h"
-
-#include <stdint.h>
 
 enum { SMALL_SCENE_MAX = 64 };
 
@@ -89,31 +85,5 @@ static inline Face *small_scene_face(SmallScene *small, int material, Face face)
     small->planes[index] = face_plane(&face);
     return &small->faces[index];
 }
-
-#define ASSERT_VEC3_WITHIN(tolerance, ex, ey, ez, actual)                                                               \
-    do {                                                                                                                \
-        Vec3 actual_ = (actual);                                                                                        \
-        TEST_ASSERT_DOUBLE_WITHIN((tolerance), (ex), actual_.x);                                                        \
-        TEST_ASSERT_DOUBLE_WITHIN((tolerance), (ey), actual_.y);                                                        \
-        TEST_ASSERT_DOUBLE_WITHIN((tolerance), (ez), actual_.z);                                                        \
-    } while (0)
-
-/* xorshift64 (Marsaglia 2003): the same numbers everywhere. The state must not be 0. */
-static inline uint64_t random_next(uint64_t *state)
-{
-    *state ^= *state << 13;
-    *state ^= *state >> 7;
-    *state ^= *state << 17;
-    return *state;
-}
-
-/* An integer in [-range, range]. */
-static inline int64_t random_integer(uint64_t *state, int64_t range)
-{
-    return (int64_t)(random_next(state) % (uint64_t)(2 * range + 1)) - range;
-}
-
-/* In [-1, 1], a multiple of 2^-20: a float holds it. */
-static inline double random_unit(uint64_t *state) { return (double)random_integer(state, 1 << 20) / (1 << 20); }
 
 #endif
