@@ -1,5 +1,5 @@
-/* Included before every source by `make lint` alone: clang-tidy looks at one source at a time and cannot know that these
- * always return false. */
+/* Included before every source by `make lint` alone: clang-tidy looks at one source at a time and cannot know that
+ * these always return false. */
 #include "base/error.h"
 #include "json/json.h"
 

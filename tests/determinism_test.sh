@@ -1,6 +1,7 @@
 #!/bin/sh
 # The same bytes each time: on any number of threads, on both backends and in both precisions, and in double with any
-# number of lanes; sampled adaptively, too. A process of its own for each picture: an OpenCL driver takes its number of threads once.
+# number of lanes; sampled adaptively, too. Each picture is made by a process of its own, for an OpenCL driver takes its
+# number of threads once.
 set -u
 
 rectray=${RECTRAY:-build/rectray}

@@ -48,7 +48,8 @@ static void compare_nearest(const Scene *scene)
                  ray.direction.x, ray.direction.y, ray.direction.z);
         CastHit expected = reference_nearest(&(Tracer){.scene = scene, .report = &report}, ray, skip);
         for (int k = 0; k < 2; k++) {
-            CastHit actual = reference_nearest(&(Tracer){.scene = scene, .accel = &trees[k], .report = &report}, ray, skip);
+            CastHit actual =
+                reference_nearest(&(Tracer){.scene = scene, .accel = &trees[k], .report = &report}, ray, skip);
             TEST_ASSERT_TRUE_MESSAGE(same_hit(expected, actual), told);
         }
     }

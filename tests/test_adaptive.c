@@ -1,10 +1,10 @@
 /* Adaptive sampling: what it refines, what it leaves, and that both backends decide alike. */
-#include "trace/adaptive.h"
-#include "scene/light.h"
 #include "opencl/opencl.h"
+#include "reader/scene_json.h"
+#include "scene/light.h"
+#include "trace/adaptive.h"
 #include "trace/reference.h"
 #include "trace/reference_render.h"
-#include "reader/scene_json.h"
 
 #include "support/small_scene.h"
 
@@ -48,13 +48,20 @@ static AdaptiveVerdict verdict_of(const Scene *scene, int column, int row)
     AdaptiveVerdict verdict = {.light = -2};
     other.adaptive = true;
     other.grid = 2;
-    reference_pixel(&(Tracer){.scene = &other, .report = &report, .recorder = &(Recorder){take_verdict, &verdict}}, column, row);
+    reference_pixel(&(Tracer){.scene = &other, .report = &report, .recorder = &(Recorder){take_verdict, &verdict}},
+                    column, row);
     return verdict;
 }
 
-static Vec3 difference(Vec3 a, Vec3 b) { return vec3_sub(a, b); }
+static Vec3 difference(Vec3 a, Vec3 b)
+{
+    return vec3_sub(a, b);
+}
 
-static double largest(Vec3 a) { return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))); }
+static double largest(Vec3 a)
+{
+    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
 
 /* --- What is found --- */
 
@@ -72,7 +79,8 @@ static int wall_begin(SmallScene *small)
 /* An upright pole at x, thinner than a thousandth of a pixel: no sample of any grid meets it. */
 static void pole(SmallScene *small, double x, double z, int material)
 {
-    small_scene_face(small, material, face_quad(vec3(x, -9, z), vec3(x + 1e-5, -9, z), vec3(x + 1e-5, 9, z), vec3(x, 9, z)));
+    small_scene_face(small, material,
+                     face_quad(vec3(x, -9, z), vec3(x + 1e-5, -9, z), vec3(x + 1e-5, 9, z), vec3(x, 9, z)));
 }
 
 static void adaptive_should_leave_an_even_wall_alone(void)
@@ -98,7 +106,7 @@ static void adaptive_should_find_a_pole_between_all_samples(void)
 {
     SmallScene small;
     int blue = wall_begin(&small);
-    pole(&small, 0.41, 0, blue); /* column 6 runs from 3/9 to 5/9 at z = 0 */
+    pole(&small, 0.41, 0, blue);       /* column 6 runs from 3/9 to 5/9 at z = 0 */
     small.lights[0].position.x = -100; /* the pole's shadow falls beside the picture */
     assert_found(&small, ADAPTIVE_FACE, 0);
 }
@@ -112,7 +120,7 @@ static void adaptive_should_find_the_shadow_of_a_pole(void)
     assert_found(&small, ADAPTIVE_SHADOW, 0);
 }
 
-/* The wall is a mirror at z = -1; the camera's image is at z = -3, so that a pole at z = 3 is seen three times as far off. */
+/* The wall is a mirror at z = -1; the camera's image is at z = -3. So a pole at z = 3 is three times as far off. */
 static void adaptive_should_find_the_mirror_image_of_a_pole(void)
 {
     SmallScene small;
@@ -149,7 +157,8 @@ static void adaptive_should_find_a_highlight_between_all_samples(void)
     wall_begin(&small);
     small.scene.screen.columns = small.scene.screen.rows = 90;
     small.materials[0] = (Material){.specular = {1, 1, 1}, .shininess = 1e9};
-    small.lights[0].position = vec3(1.62, 0.2, 1); /* as far from the wall as the camera is: seen halfway between them */
+    /* As far from the wall as the camera is: seen halfway between them. */
+    small.lights[0].position = vec3(1.62, 0.2, 1);
     int found = 0;
     for (int i = 0; i < 8100; i++) {
         AdaptiveReason reason = verdict_of(&small.scene, i % 90, i / 90).reason;
@@ -184,7 +193,7 @@ static void for_each_scene(void (*test)(const char *path))
     globfree(&found);
 }
 
-/* Pixels so wide that a box beside and behind the eye has corners within all four sides of a beam, continued backwards. */
+/* Pixels so wide that a box beside and behind the eye has corners within all four sides of a beam that goes back. */
 static void adaptive_should_leave_out_what_reaches_behind(void)
 {
     Scene scene = load_small("tests/scenes/wide_pixels.json", 1, 40);
@@ -195,7 +204,8 @@ static void adaptive_should_leave_out_what_reaches_behind(void)
 
 enum { FINEST = 6 };
 
-/* The average of a refined pixel, told in other words: 16 samples, each 13 rows below the last of a grid of 16 x 16, modulo 16. */
+/* The average of a refined pixel, in other words: 16 samples of a grid of 16 x 16, each 13 rows below the last one,
+ * modulo 16. */
 static Vec3 average_of_lattice(const Scene *scene, int column, int row)
 {
     Scene other = *scene;
@@ -223,7 +233,8 @@ static int shortest_step(int samples, int generator)
 {
     int shortest = samples * samples;
     for (int k = 1; k < samples; k++) {
-        int down = k * generator % samples, i = k < samples - k ? k : samples - k, j = down < samples - down ? down : samples - down;
+        int down = k * generator % samples, i = k < samples - k ? k : samples - k,
+            j = down < samples - down ? down : samples - down;
         shortest = i * i + j * j < shortest ? i * i + j * j : shortest;
     }
     return shortest;
@@ -242,8 +253,8 @@ static void adaptive_samples_should_keep_apart(void)
     }
 }
 
-/* A refined pixel is the average of the lattice's samples, bit for bit; any other is its centre, which tells the average to half a
- * step. */
+/* A refined pixel is the average of the lattice's samples, bit for bit; any other is its centre, which tells the
+ * average to half a step. */
 static void check_pixels(const char *path)
 {
     Scene scene = load_small(path, 23, 17);
@@ -304,7 +315,8 @@ typedef struct Picture {
     RenderReport report;
 } Picture;
 
-static bool take_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far, Error *e)
+static bool take_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
+                      Error *e)
 {
     (void)so_far, (void)e;
     Picture *picture = user;
@@ -367,7 +379,7 @@ static void adaptive_should_err_less_the_finer_its_grid(void)
     scene_free(&scene);
 }
 
-/* The double kernel decides like the reference in every pixel; the float kernel may refine a pixel that needs it not. */
+/* The double kernel decides like the reference in every pixel; the float kernel may refine a few more. */
 static void compare_backends(const char *path, int grid, Precision precision, int lanes, AccelKind accel)
 {
     Scene scene = load_small(path, 131, 97);
@@ -375,7 +387,8 @@ static void compare_backends(const char *path, int grid, Precision precision, in
     scene.adaptive = true;
     scene.grid = grid;
     Picture expected = render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_BVH});
-    Picture picture = render(&scene, BACKEND_OPENCL, (RenderSettings){.precision = precision, .lanes = lanes, .accel = accel});
+    Picture picture =
+        render(&scene, BACKEND_OPENCL, (RenderSettings){.precision = precision, .lanes = lanes, .accel = accel});
     for (int i = 0; i < 3 * pixels; i++)
         off += abs(picture.rgb[i] - expected.rgb[i]) > (precision == PRECISION_FLOAT);
     snprintf(message, sizeof message, "%s at %d lanes, grid %d", path, lanes, grid);
@@ -385,7 +398,8 @@ static void compare_backends(const char *path, int grid, Precision precision, in
     } else {
         TEST_ASSERT_EQUAL_INT_MESSAGE(0, off, message);
         TEST_ASSERT_EQUAL_UINT64_MESSAGE(expected.report.refined_pixels, picture.report.refined_pixels, message);
-        TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&expected.report.rays, &picture.report.rays, sizeof picture.report.rays, message);
+        TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&expected.report.rays, &picture.report.rays, sizeof picture.report.rays,
+                                         message);
     }
     picture_free(&picture);
     picture_free(&expected);
@@ -394,9 +408,16 @@ static void compare_backends(const char *path, int grid, Precision precision, in
 
 static void adaptive_should_be_the_same_in_both_backends(void)
 {
-    const char *scenes[] = {"scenes/gallery.json", "scenes/original.json", "scenes/cornell.json", "scenes/mirrors.json",
-                            "tests/scenes/many_lights.json", "tests/scenes/one_sided.json", "tests/scenes/shadow_black.json",
-                            "tests/scenes/split.json", "tests/scenes/viewer_camera.json", "tests/scenes/wide_pixels.json",
+    const char *scenes[] = {"scenes/gallery.json",
+                            "scenes/original.json",
+                            "scenes/cornell.json",
+                            "scenes/mirrors.json",
+                            "tests/scenes/many_lights.json",
+                            "tests/scenes/one_sided.json",
+                            "tests/scenes/shadow_black.json",
+                            "tests/scenes/split.json",
+                            "tests/scenes/viewer_camera.json",
+                            "tests/scenes/wide_pixels.json",
                             "tests/scenes/narrow_pixels.json"};
     for (int s = 0; s < (int)(sizeof scenes / sizeof *scenes); s++) {
         compare_backends(scenes[s], s % 2 ? 3 : 6, PRECISION_DOUBLE, 8, ACCEL_BVH);

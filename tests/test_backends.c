@@ -3,8 +3,8 @@
  * in one pixel of a picture too small for that share to allow any, and only where the 3 x 3 pixels around show an edge: of
  * a face, of a shadow, or of either in a mirror. A new scene file is tested without a word here. */
 #include "opencl/opencl.h"
-#include "trace/reference_render.h"
 #include "reader/scene_json.h"
+#include "trace/reference_render.h"
 
 #include "support/near_edge.h"
 
@@ -137,7 +137,8 @@ static void assert_double_equals(const char *path, const Scene *scene, const Pic
     }
     TEST_ASSERT_EQUAL_UINT64_MESSAGE(expected->report.rays.shadow, picture.report.rays.shadow, path);
     TEST_ASSERT_EQUAL_UINT64_MESSAGE(expected->report.rays.reflection, picture.report.rays.reflection, path);
-    TEST_ASSERT_EQUAL_UINT64_MESSAGE(expected->report.skipped[SKIP_LIGHT_BEHIND], picture.report.skipped[SKIP_LIGHT_BEHIND], path);
+    TEST_ASSERT_EQUAL_UINT64_MESSAGE(expected->report.skipped[SKIP_LIGHT_BEHIND],
+                                     picture.report.skipped[SKIP_LIGHT_BEHIND], path);
     free(picture.rgb);
 }
 
@@ -321,9 +322,11 @@ static void scene_that_is_held_should_give_one_picture_after_another(void)
     for (int i = 0; i < 3; i++) {
         again.next_row = 0;
         memset(again.rgb, 0, picture_bytes(&again));
-        TEST_ASSERT_TRUE_MESSAGE(opencl_picture(held, (BandSink){take_band, &again}, &again.report, &error), error.text);
+        TEST_ASSERT_TRUE_MESSAGE(opencl_picture(held, (BandSink){take_band, &again}, &again.report, &error),
+                                 error.text);
         TEST_ASSERT_EQUAL_MEMORY(once.rgb, again.rgb, picture_bytes(&once));
-        TEST_ASSERT_EQUAL_UINT64_MESSAGE(once.report.rays.shadow, again.report.rays.shadow, "counted anew for each picture");
+        TEST_ASSERT_EQUAL_UINT64_MESSAGE(once.report.rays.shadow, again.report.rays.shadow,
+                                         "counted anew for each picture");
         TEST_ASSERT_EQUAL_UINT64(once.report.face_tests, again.report.face_tests);
         TEST_ASSERT_EQUAL_UINT64(opencl_held_report(held)->device_bytes, again.report.device_bytes);
     }

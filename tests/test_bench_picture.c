@@ -1,7 +1,7 @@
 /* What bench error measures with: differences of linear colours, fine pictures, the truth. */
 #include "bench/bench_ground_truth.h"
-#include "trace/reference.h"
 #include "reader/scene_json.h"
+#include "trace/reference.h"
 
 #include "unity.h"
 

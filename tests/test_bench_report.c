@@ -1,4 +1,4 @@
-/* What bench makes of measured figures, which are given here; a rung of the ladder; POV-Ray, played by a line of shell. */
+/* What bench makes of measured figures, which are given here; a rung of the ladder; POV-Ray, played by the shell. */
 #include "bench/bench_ladder.h"
 #include "bench/bench_report.h"
 #include "reader/scene_json.h"
@@ -40,10 +40,23 @@ void tearDown(void)
 /* A city of 6 006 faces: 2 ms beside the peer's 5. */
 static BenchTrace city(void)
 {
-    return (BenchTrace){.scene = {.name = "city-1k"}, .faces = 6006, .has_peer = true, .peer = "sham", .trace_ms = 2,
-                        .build_ms = 4, .fastest_ms = 1.5, .slowest_ms = 3, .primary_ms = 1, .unmirrored_ms = 1.75,
-                        .unmirrored_shadow = 1500000, .peer_trace_ms = 5, .peer_build_ms = 8, .peer_share = 0.75,
-                        .peer_bytes = 600600, .differing = 7, .far_off = 3,
+    return (BenchTrace){.scene = {.name = "city-1k"},
+                        .faces = 6006,
+                        .has_peer = true,
+                        .peer = "sham",
+                        .trace_ms = 2,
+                        .build_ms = 4,
+                        .fastest_ms = 1.5,
+                        .slowest_ms = 3,
+                        .primary_ms = 1,
+                        .unmirrored_ms = 1.75,
+                        .unmirrored_shadow = 1500000,
+                        .peer_trace_ms = 5,
+                        .peer_build_ms = 8,
+                        .peer_share = 0.75,
+                        .peer_bytes = 600600,
+                        .differing = 7,
+                        .far_off = 3,
                         .skips[SKIP_TREE] = {1, 2, 3, true},
                         .report.device_bytes = 1201200,
                         .report.rays = {.primary = 2000000, .shadow = 1600000, .reflection = 400000}};

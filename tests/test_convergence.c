@@ -1,6 +1,6 @@
 /* How fast the error falls with the rays that are spent, on edges, against exact coverage. */
-#include "trace/adaptive.h"
 #include "support/coverage.h"
+#include "trace/adaptive.h"
 #include "trace/reference.h"
 
 #include "support/small_scene.h"
@@ -63,8 +63,8 @@ static double slope(const double *x, const double *y, int count)
     return (count * sxy - sx * sy) / (count * sxx - sx * sx);
 }
 
-/* Rays fall on the sides of an edge as if by chance only where it enters and leaves a cell: of n rays about sqrt(n) cells are
- * in doubt, by half a ray each, and their errors have either sign. So the sum is off by some n^(1/4) rays of n. */
+/* Rays fall on the sides of an edge as if by chance only where it enters and leaves a cell: of n rays about sqrt(n)
+ * cells are in doubt, by half a ray each, and their errors have either sign. So the sum is off by some n^(1/4) rays. */
 static void error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarters(void)
 {
     double log_rays[GRIDS], log_error[GRIDS];
@@ -79,8 +79,8 @@ static void error_at_edges_should_fall_as_the_rays_to_the_power_of_three_quarter
     TEST_ASSERT_TRUE(power >= 0.75);
 }
 
-/* Pixels that are one colour need no more than their centre, and a lattice is no worse than a grid of as many samples, but for a
- * quarter more where edges run in all directions. */
+/* Pixels that are one colour need no more than their centre, and a lattice is no worse than a grid of as many samples,
+ * but for a quarter more where edges run in all directions. */
 static void adaptive_error_should_fall_likewise_and_be_that_of_a_grid_of_as_many_samples(void)
 {
     enum { COUNT = 4 };

@@ -22,9 +22,15 @@ void setUp(void)
     packed = (DeviceScene){0};
 }
 
-void tearDown(void) { device_scene_free(&packed); }
+void tearDown(void)
+{
+    device_scene_free(&packed);
+}
 
-static const float *floats(const DeviceReals *reals) { return reals->data; }
+static const float *floats(const DeviceReals *reals)
+{
+    return reals->data;
+}
 
 /* value = NAME + NAME_LOW, to 2^-48 of it. */
 static void assert_split(double value, const float *high, const float *low)
@@ -36,7 +42,8 @@ static void light_position_should_travel_in_two_floats(void)
 {
     Vec3 at = vec3(-1.6, 0.825, 4.6);
     small_scene_light(&small, at);
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
     const float *row = floats(&packed.lights);
     assert_split(at.x, row + LIGHT_POSITION, row + LIGHT_POSITION_LOW);
     assert_split(at.y, row + LIGHT_POSITION + 1, row + LIGHT_POSITION_LOW + 1);
@@ -47,7 +54,8 @@ static void normal_should_travel_in_two_floats_within_its_error(void)
 {
     small_scene_material(&small, (Material){.reflection = 0});
     small_scene_face(&small, 0, face_triangle(vec3(6, 0, 0), vec3(0, 3, 0), vec3(0, 0, 3)));
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
     const float *row = floats(&packed.planes);
     const double exact[] = {1.0 / 3, 2.0 / 3, 2.0 / 3};
     for (int axis = 0; axis < 3; axis++) {
@@ -69,7 +77,10 @@ static Vec3 random_point(double size)
     return vec3(random_between(-size, size), random_between(-size, size), random_between(-size, size));
 }
 
-static double magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+static double magnitudes(Vec3 a)
+{
+    return fabs(a.x) + fabs(a.y) + fabs(a.z);
+}
 
 static double half_of(uint32_t bits)
 {
@@ -86,11 +97,13 @@ static void pack_random_faces(unsigned char *closed, int count, Precision precis
         double size = exp2(random_between(-30, 30)), bend = i % 3 ? size * exp2(random_between(-30, -3)) : 0;
         Vec3 a = random_point(size), u = random_point(size), v = random_point(size);
         Vec3 opposite = vec3_add(vec3_add(vec3_add(a, u), v), random_point(bend));
-        Face face = i % 4 ? face_quad(a, vec3_add(a, u), opposite, vec3_add(a, v)) : face_triangle(a, vec3_add(a, u), vec3_add(a, v));
+        Face face = i % 4 ? face_quad(a, vec3_add(a, u), opposite, vec3_add(a, v))
+                          : face_triangle(a, vec3_add(a, u), vec3_add(a, v));
         small_scene_face(&small, 0, face)->front_only = i % 5 == 0;
         closed[i] = i % 7 == 0;
     }
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, closed, NULL, 1, precision, precision, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, closed, NULL, 1, precision, precision, &error),
+                             error.text);
 }
 
 static void face_bits_should_bound_edges_and_warp(void)
@@ -134,7 +147,8 @@ static void face_row_should_hold_the_vertices_as_they_are(void)
 {
     small_scene_material(&small, (Material){.reflection = 0});
     small_scene_face(&small, 0, face_triangle(vec3(6, (double)0.1f, 0), vec3(0, 3, -7), vec3(1, 2, 3)));
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
     const float expected[] = {6, 0, 1, 6, 0.1f, 3, 2, 0.1f, 0, -7, 3, 0};
     TEST_ASSERT_EQUAL_FLOAT_ARRAY(expected, floats(&packed.edges) + FACE_VERTICES, 12);
 }
@@ -142,16 +156,20 @@ static void face_row_should_hold_the_vertices_as_they_are(void)
 static void double_rows_should_need_no_low_parts(void)
 {
     small_scene_light(&small, vec3(-1.6, 0.825, 4.6));
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_DOUBLE, PRECISION_DOUBLE, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_DOUBLE, PRECISION_DOUBLE, &error),
+        error.text);
     const double *row = packed.lights.data;
-    ASSERT_VEC3_WITHIN(0, -1.6, 0.825, 4.6, vec3(row[LIGHT_POSITION], row[LIGHT_POSITION + 1], row[LIGHT_POSITION + 2]));
+    ASSERT_VEC3_WITHIN(0, -1.6, 0.825, 4.6,
+                       vec3(row[LIGHT_POSITION], row[LIGHT_POSITION + 1], row[LIGHT_POSITION + 2]));
     for (int axis = 0; axis < 3; axis++)
         TEST_ASSERT_TRUE(row[LIGHT_POSITION_LOW + axis] == 0);
 }
 
 static void scene_of_nothing_should_pack(void)
 {
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
     TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.lights));
     TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.planes));
 }

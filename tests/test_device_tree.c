@@ -1,4 +1,4 @@
-/* The tree as the kernels walk it: it holds what the binary tree holds, and no other wide nodes would be met more seldom. */
+/* The tree as the kernels walk it: it holds what the binary tree holds, and no other wide nodes are met more seldom. */
 #include "kernels/shared/layout.h" /* before the system's limits.h, which has a PATH_MAX of its own */
 
 #include "opencl/device_tree.h"
@@ -112,7 +112,7 @@ static void each_face_should_be_in_one_leaf_and_in_all_boxes_above(void)
         }
 }
 
-/* The least sum of the areas of the wide nodes below `node`, which gets so many places in the one above: by trying all. */
+/* The least sum of the areas of the wide nodes below `node`, which gets so many places in the one above. Tries all. */
 static double least_area(const Bvh *bvh, int node, int places, int width)
 {
     const BvhNode *root = &bvh->nodes[node];

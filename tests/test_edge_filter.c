@@ -1,5 +1,6 @@
-/* The kernels' fast edge test, which must send every doubtful ray to the exact one: rays whose origins and directions are
- * floats, aimed exactly at edges and vertices and one ulp beside them. Every kernel must decide as the reference does. */
+/* The kernels' fast edge test, which must send every doubtful ray to the exact one: rays whose origins and directions
+ * are floats, aimed exactly at edges and vertices and one ulp beside them. Every kernel must decide as the
+ * reference does. */
 #include "opencl/opencl_cast.h"
 #include "trace/reference.h"
 
@@ -114,7 +115,7 @@ static bool same_t(int i, Precision precision)
     return fabs(expected[i].t - hits[i].t) * cosine <= 0x1p-44 * expected[i].t;
 }
 
-/* With `coplanar` faces, of which several are hit at the same t, the float kernel may choose another one than the reference. */
+/* With `coplanar` faces, of which several are hit at one t, the float kernel may choose another than the reference. */
 static void assert_every_kernel_agrees(bool coplanar)
 {
     trace_with_the_reference();

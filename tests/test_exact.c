@@ -1,5 +1,5 @@
-/* Exact signs of determinants, against integers. A lattice of long vectors that nearly coincide gives determinants whose
- * value is small and known, while each of their six products is so large that plain doubles lose it. */
+/* Exact signs of determinants, against integers. A lattice of long vectors that nearly coincide gives determinants
+ * whose value is small and known, while each of their six products is so large that plain doubles lose it. */
 #include "scene/exact.h"
 
 #include "support/xorshift.h"
@@ -19,9 +19,15 @@ static Integers random_integers(uint64_t *state, int64_t range)
     return a;
 }
 
-static Integers integers_add(Integers a, Integers b) { return (Integers){a.x + b.x, a.y + b.y, a.z + b.z}; }
+static Integers integers_add(Integers a, Integers b)
+{
+    return (Integers){a.x + b.x, a.y + b.y, a.z + b.z};
+}
 
-static Vec3 vec3_from(Integers a) { return vec3((double)a.x, (double)a.y, (double)a.z); }
+static Vec3 vec3_from(Integers a)
+{
+    return vec3((double)a.x, (double)a.y, (double)a.z);
+}
 
 /* a . (b x c), of which every partial sum must fit 64 bits. */
 static int64_t integer_determinant(Integers a, Integers b, Integers c)
@@ -29,7 +35,10 @@ static int64_t integer_determinant(Integers a, Integers b, Integers c)
     return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
 }
 
-static int integer_sign(int64_t x) { return (x > 0) - (x < 0); }
+static int integer_sign(int64_t x)
+{
+    return (x > 0) - (x < 0);
+}
 
 static int plain_sign(Vec3 a, Vec3 b, Vec3 c)
 {
@@ -68,7 +77,8 @@ static void determinant_should_agree_with_small_integers(void)
     uint64_t state = 20240601;
     for (int i = 0; i < 20000; i++) {
         int64_t range = i % 2 ? 3 : 1 << 20; /* small ones are often zero */
-        Integers a = random_integers(&state, range), b = random_integers(&state, range), c = random_integers(&state, range);
+        Integers a = random_integers(&state, range), b = random_integers(&state, range),
+                 c = random_integers(&state, range);
         int expected = integer_sign(integer_determinant(a, b, c));
         TEST_ASSERT_EQUAL_INT(expected, exact_sign(vec3_from(a), vec3_from(b), vec3_from(c)));
     }

@@ -38,10 +38,10 @@ static void run_all(const char *pattern, int (*target)(const uint8_t *, size_t))
     globfree(&found);
 }
 
-#define TEST_OF(name)                                                                                                  \
-    static void name##_should_keep_its_promises_on_every_kept_input(void)                                              \
-    {                                                                                                                  \
-        run_all("tests/fuzz/" #name "/*", fuzz_##name);                                                                \
+#define TEST_OF(name)                                                     \
+    static void name##_should_keep_its_promises_on_every_kept_input(void) \
+    {                                                                     \
+        run_all("tests/fuzz/" #name "/*", fuzz_##name);                   \
     }
 FUZZ_TARGETS(TEST_OF)
 

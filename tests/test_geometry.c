@@ -23,10 +23,16 @@ static FaceTest test_segment(Face face, Vec3 from, Vec3 to)
 }
 
 /* The unit square at z = 0, its normal +z. */
-static Face unit_square(void) { return face_at_height(0, 0, 1, 1, 0); }
+static Face unit_square(void)
+{
+    return face_at_height(0, 0, 1, 1, 0);
+}
 
 /* x + 2 y + 2 z = 6, cut out where it meets the axes: N = (1, 2, 2) / 3, D = -2. */
-static Face slanted_triangle(void) { return face_triangle(vec3(6, 0, 0), vec3(0, 3, 0), vec3(0, 0, 3)); }
+static Face slanted_triangle(void)
+{
+    return face_triangle(vec3(6, 0, 0), vec3(0, 3, 0), vec3(0, 0, 3));
+}
 
 /* A planar face (triangles always are) in no special position, of floats. */
 static Face random_triangle(uint64_t *state)
@@ -235,7 +241,8 @@ static void plane_hit_should_reject_parallel_ray(void)
 static void plane_hit_should_reject_ray_in_the_plane(void)
 {
     TEST_ASSERT_EQUAL_INT(FACE_PARALLEL, test_ray(unit_square(), vec3(-1, 0.5, 0), vec3(1, 0, 0)).verdict);
-    TEST_ASSERT_EQUAL_INT(FACE_PARALLEL, test_ray(unit_square(), vec3(-1, 0, 0), vec3(1, 0, 0)).verdict); /* along an edge */
+    TEST_ASSERT_EQUAL_INT(FACE_PARALLEL,
+                          test_ray(unit_square(), vec3(-1, 0, 0), vec3(1, 0, 0)).verdict); /* along an edge */
     TEST_ASSERT_EQUAL_INT(FACE_PARALLEL, test_ray(unit_square(), vec3(0.5, 0.5, -0.0), vec3(-0.0, 1, -0.0)).verdict);
 }
 
@@ -401,12 +408,15 @@ static void rays_aimed_at_slanted_edges_should_hit_them_exactly(void)
 
 static void winding_should_not_change_the_hit(void)
 {
-    Face face = slanted_triangle(), turned = face_triangle(face_vertex(&face, 2), face_vertex(&face, 1), face_vertex(&face, 0));
+    Face face = slanted_triangle(),
+         turned = face_triangle(face_vertex(&face, 2), face_vertex(&face, 1), face_vertex(&face, 0));
     uint64_t state = 3;
     int inside = 0;
     for (int i = 0; i < 1000; i++) {
-        Vec3 origin = vec3(-1, -1, -1), target = vec3(6 * random_unit(&state), 3 * random_unit(&state), 3 * random_unit(&state));
-        FaceTest a = test_ray(face, origin, vec3_sub(target, origin)), b = test_ray(turned, origin, vec3_sub(target, origin));
+        Vec3 origin = vec3(-1, -1, -1),
+             target = vec3(6 * random_unit(&state), 3 * random_unit(&state), 3 * random_unit(&state));
+        FaceTest a = test_ray(face, origin, vec3_sub(target, origin)),
+                 b = test_ray(turned, origin, vec3_sub(target, origin));
         TEST_ASSERT_EQUAL_INT(a.verdict, b.verdict);
         TEST_ASSERT_EQUAL_DOUBLE(a.t, b.t);
         TEST_ASSERT_DOUBLE_WITHIN(1e-14, a.n_dot_r, -b.n_dot_r);
@@ -434,13 +444,13 @@ static void segment_should_meet_only_what_is_strictly_between_its_ends(void)
         double from, to;
         FaceVerdict verdict;
     } cases[] = {
-        {1, -1, FACE_INSIDE},          {-1, 1, FACE_INSIDE},
-        {0x1p-1000, -1, FACE_INSIDE},  {1, -0x1p-1000, FACE_INSIDE},
-        {0, 1, FACE_BEHIND},           {0, -1, FACE_BEHIND}, /* starts in the plane */
-        {1, 2, FACE_BEHIND},           {-1, -3, FACE_BEHIND},
-        {1, 0, FACE_FARTHER},          {-1, 0, FACE_FARTHER}, /* ends in the plane: the light on the face */
-        {2, 1, FACE_FARTHER},          {-3, -0x1p-1000, FACE_FARTHER},
-        {1, 1, FACE_PARALLEL},         {0, 0, FACE_PARALLEL},
+        {1, -1, FACE_INSIDE},         {-1, 1, FACE_INSIDE},
+        {0x1p-1000, -1, FACE_INSIDE}, {1, -0x1p-1000, FACE_INSIDE},
+        {0, 1, FACE_BEHIND},          {0, -1, FACE_BEHIND}, /* starts in the plane */
+        {1, 2, FACE_BEHIND},          {-1, -3, FACE_BEHIND},
+        {1, 0, FACE_FARTHER},         {-1, 0, FACE_FARTHER}, /* ends in the plane: the light on the face */
+        {2, 1, FACE_FARTHER},         {-3, -0x1p-1000, FACE_FARTHER},
+        {1, 1, FACE_PARALLEL},        {0, 0, FACE_PARALLEL},
     };
     for (int i = 0; i < (int)(sizeof cases / sizeof cases[0]); i++) {
         FaceTest test = test_segment(unit_square(), vec3(0.5, 0.25, cases[i].from), vec3(0.5, 0.25, cases[i].to));
@@ -460,8 +470,10 @@ static void segment_should_pass_beside_and_touch_edges(void)
 {
     TEST_ASSERT_EQUAL_INT(FACE_OUTSIDE, test_segment(unit_square(), vec3(1.5, 0.5, 1), vec3(1.5, 0.5, -1)).verdict);
     TEST_ASSERT_EQUAL_INT(FACE_INSIDE, test_segment(unit_square(), vec3(2, 0.5, 1), vec3(0, 0.5, -1)).verdict);
-    TEST_ASSERT_EQUAL_INT(FACE_OUTSIDE, test_segment(unit_square(), vec3(nextafter(2, 3), 0.5, 1), vec3(0, 0.5, -1)).verdict);
-    TEST_ASSERT_EQUAL_INT(FACE_INSIDE, test_segment(unit_square(), vec3(2, 2, 1), vec3(0, 0, -1)).verdict); /* a vertex */
+    TEST_ASSERT_EQUAL_INT(FACE_OUTSIDE,
+                          test_segment(unit_square(), vec3(nextafter(2, 3), 0.5, 1), vec3(0, 0.5, -1)).verdict);
+    TEST_ASSERT_EQUAL_INT(FACE_INSIDE,
+                          test_segment(unit_square(), vec3(2, 2, 1), vec3(0, 0, -1)).verdict); /* a vertex */
 }
 
 /* An end that no double can be subtracted from without rounding. */
@@ -472,10 +484,10 @@ static void segment_should_be_exact_between_distant_ends(void)
     from.x = to.x = 1;
     TEST_ASSERT_EQUAL_INT(FACE_INSIDE, test_segment(unit_square(), from, to).verdict);
     /* x = 1 + 2^-52 at z = 1 and 1 - 2^-53 at z = -1: more than 1 at z = 0. */
-    TEST_ASSERT_EQUAL_INT(
-        FACE_OUTSIDE, test_segment(unit_square(), vec3(1 + 0x1p-52, 0.5, 1), vec3(1 - 0x1p-53, 0.5, -1)).verdict);
-    TEST_ASSERT_EQUAL_INT(
-        FACE_INSIDE, test_segment(unit_square(), vec3(1 + 0x1p-52, 0.5, 1), vec3(1 - 0x1p-52, 0.5, -1)).verdict);
+    TEST_ASSERT_EQUAL_INT(FACE_OUTSIDE,
+                          test_segment(unit_square(), vec3(1 + 0x1p-52, 0.5, 1), vec3(1 - 0x1p-53, 0.5, -1)).verdict);
+    TEST_ASSERT_EQUAL_INT(FACE_INSIDE,
+                          test_segment(unit_square(), vec3(1 + 0x1p-52, 0.5, 1), vec3(1 - 0x1p-52, 0.5, -1)).verdict);
 }
 
 static void segment_should_pass_front_only_faces_from_behind(void)
@@ -506,7 +518,8 @@ static void shifted_point_should_lie_on_its_side_and_near(void)
         Vec3 a = face_vertex(&face, 0), b = face_vertex(&face, 1), c = face_vertex(&face, 2);
         Vec3 point = vec3_add(a, vec3_add(vec3_scale(u, vec3_sub(b, a)), vec3_scale(v, vec3_sub(c, a))));
         Vec3 back = vec3_negate(plane.normal);
-        Vec3 above = point_shifted(&face, &plane, plane.normal, point), below = point_shifted(&face, &plane, back, point);
+        Vec3 above = point_shifted(&face, &plane, plane.normal, point),
+             below = point_shifted(&face, &plane, back, point);
         TEST_ASSERT_EQUAL_INT(1, plane_side(&face, &plane, above));
         TEST_ASSERT_EQUAL_INT(-1, plane_side(&face, &plane, below));
         double size = 1 + 2 * offset;

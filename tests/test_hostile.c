@@ -1,7 +1,8 @@
-/* Texts that no student writes by intent: cut off anywhere, nested without end, with names of a million characters, with
- * numbers at the limits. Each is a scene, or one message that is short. Single mistakes are in tests/scenes/bad/. */
-#include "reader/scene_json.h"
+/* Texts that no student writes by intent: cut off anywhere, nested without end, with names of a million characters,
+ * with numbers at the limits. Each is a scene, or one message that is short. Single mistakes are in
+ * tests/scenes/bad/. */
 #include "base/text.h"
+#include "reader/scene_json.h"
 
 #include "unity.h"
 

@@ -52,7 +52,8 @@ void tearDown(void)
 }
 
 /* 3 x 2 pixels, all bytes different. */
-static const unsigned char PIXELS[18] = {0, 255, 1, 2, 3, 4, 100, 101, 102, 103, 104, 105, 200, 201, 202, 203, 204, 205};
+static const unsigned char PIXELS[18] = {0,   255, 1,   2,   3,   4,   100, 101, 102,
+                                         103, 104, 105, 200, 201, 202, 203, 204, 205};
 
 static void write_pixels(const char *name)
 {

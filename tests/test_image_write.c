@@ -1,5 +1,5 @@
-/* Pictures of every size, however their rows come, are one and the same file, and a reader that takes a warning for an error
- * finds the pixels in it. */
+/* Pictures of every size, however their rows come, are one and the same file, and a reader that takes a warning for an
+ * error finds the pixels in it. */
 #define _XOPEN_SOURCE 700 /* mkdtemp */
 #include "picture/image.h"
 

@@ -193,7 +193,7 @@ static double tree_cost(const KdTree *tree, int index, Box box)
     return area + tree_cost(tree, index + 1, low_side(node, box)) + tree_cost(tree, node->first, high_side(node, box));
 }
 
-/* The same cost for a tree that halves space across its longest axis while a leaf has more than 8 faces, to depth 14. */
+/* The same cost for a tree of depth 14 that halves space across its longest axis while a leaf has more than 8 faces. */
 static double halving_cost(const Box *boxes, int count, Box box, int depth)
 {
     if (count <= 8 || depth == 14)

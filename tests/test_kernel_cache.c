@@ -20,7 +20,10 @@ void setUp(void)
     setenv("RECTRAY_CACHE_DIR", folder, 1);
 }
 
-static void kept_file(char *path, size_t size) { snprintf(path, size, "%s/0000000000001234.kernel", folder); }
+static void kept_file(char *path, size_t size)
+{
+    snprintf(path, size, "%s/0000000000001234.kernel", folder);
+}
 
 void tearDown(void)
 {

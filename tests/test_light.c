@@ -13,8 +13,8 @@ static Light light;
 
 void setUp(void)
 {
-    material = (Material){
-        .ambient = {0.1, 0.2, 0.3}, .diffuse = {0.4, 0.5, 0.6}, .specular = {0.7, 0.8, 0.9}, .shininess = 8};
+    material =
+        (Material){.ambient = {0.1, 0.2, 0.3}, .diffuse = {0.4, 0.5, 0.6}, .specular = {0.7, 0.8, 0.9}, .shininess = 8};
     light = (Light){.ambient = {1, 2, 4}, .diffuse = {2, 4, 8}, .specular = {4, 8, 16}};
 }
 

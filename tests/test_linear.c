@@ -1,9 +1,9 @@
 /* Colours before they are clamped and become bytes: what RenderSettings.linear receives from either backend. */
-#include "scene/light.h"
 #include "opencl/opencl.h"
+#include "reader/scene_json.h"
+#include "scene/light.h"
 #include "trace/reference.h"
 #include "trace/reference_render.h"
-#include "reader/scene_json.h"
 
 #include "unity.h"
 

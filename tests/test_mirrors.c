@@ -1,9 +1,9 @@
 /* scenes/mirrors.json against the closed form that its comment states: a piece of a geometric series in every pixel,
  * from the reference tracer within 1e-6, and in bytes from both backends. */
 #include "opencl/opencl.h"
+#include "reader/scene_json.h"
 #include "trace/reference.h"
 #include "trace/reference_render.h"
-#include "reader/scene_json.h"
 
 #include "unity.h"
 
@@ -113,7 +113,8 @@ static void straight_into_a_mirror_the_series_should_reach_its_limit(void)
     }
     RenderReport report = {0};
     Vec3 limit = vec3_scale(1 / (1 - Q * Q), vec3_add(RIGHT, vec3_scale(Q, LEFT)));
-    Vec3 colour = reference_pixel(&(Tracer){.scene = &scene, .report = &report}, scene.screen.columns / 2, scene.screen.rows / 2);
+    Vec3 colour =
+        reference_pixel(&(Tracer){.scene = &scene, .report = &report}, scene.screen.columns / 2, scene.screen.rows / 2);
     TEST_ASSERT_EQUAL_UINT64(64, report.rays.reflection);
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0, largest_difference(colour, limit));
 }

@@ -113,20 +113,23 @@ static void options_should_take_the_limits_of_a_number_and_nothing_beyond(void)
     assert_refused("render a --bounces 65", "--bounces '65': expected a whole number from 0 to 64");
     assert_refused("render a --threads 0", "--threads '0': expected a whole number from 1 to 256");
     assert_refused("compare a b --tolerance 256", "--tolerance '256': expected a whole number from 0 to 255");
-    assert_refused("render a --grid 99999999999999999999", "--grid '99999999999999999999': expected a whole number from 1 to 16");
+    assert_refused("render a --grid 99999999999999999999",
+                   "--grid '99999999999999999999': expected a whole number from 1 to 16");
 }
 
 static void options_should_refuse_what_only_begins_like_a_number(void)
 {
-    static const char *const sizes[] = {"640", "640x", "x480", "640X480", "640x480x", "640x-480", "+640x480", "6e2x480"};
+    static const char *const sizes[] = {"640",      "640x",     "x480",     "640X480",
+                                        "640x480x", "640x-480", "+640x480", "6e2x480"};
     char line[64];
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         snprintf(line, sizeof line, "render a --size %s", sizes[i]);
         TEST_ASSERT_FALSE_MESSAGE(parse(line), line);
     }
-    static const char *const numbers[] = {"--grid=", "--grid=2x", "--grid=2.0", "--grid=0x2", "--grid=-1", "--lanes=2",
-                                          "--lanes=016", "--backend=OpenCL", "--accel=tree", "--precision=half",
-                                          "--progress=yes", "--output=", "--device=-1"};
+    static const char *const numbers[] = {
+        "--grid=",        "--grid=2x",   "--grid=2.0",       "--grid=0x2",   "--grid=-1",
+        "--lanes=2",      "--lanes=016", "--backend=OpenCL", "--accel=tree", "--precision=half",
+        "--progress=yes", "--output=",   "--device=-1"};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         snprintf(line, sizeof line, "render a %s", numbers[i]);
         TEST_ASSERT_FALSE_MESSAGE(parse(line), line);
@@ -137,9 +140,12 @@ static void options_should_refuse_what_only_begins_like_a_number(void)
 static void options_should_name_a_missing_value(void)
 {
     assert_refused("render a --size", "--size needs a value: two whole numbers from 1 to 16384, such as 640x480");
-    assert_refused("render a --sampling adaptive:17", "--sampling 'adaptive:17': expected uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16");
-    assert_refused("render a --sampling uniform:", "--sampling 'uniform:': expected uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16");
-    assert_refused("render a --sampling adapt", "--sampling 'adapt': expected uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16");
+    assert_refused("render a --sampling adaptive:17",
+                   "--sampling 'adaptive:17': expected uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16");
+    assert_refused("render a --sampling uniform:",
+                   "--sampling 'uniform:': expected uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16");
+    assert_refused("render a --sampling adapt",
+                   "--sampling 'adapt': expected uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16");
     assert_refused("render a -o", "--output needs a value: the name of a file, or - for standard output");
     assert_refused("render a --quiet=1", "--quiet takes no value");
 }
@@ -149,7 +155,8 @@ static void options_should_suggest_the_nearest_of_the_command(void)
     assert_refused("render a --sise 3", "render has no option --sise; did you mean --size?");
     assert_refused("render a --sise=3", "render has no option --sise; did you mean --size?");
     assert_refused("check a --geometri", "check has no option --geometri; did you mean --geometry?");
-    assert_refused("render a --frobnicate", "render has no option --frobnicate; `rectray render --help` lists its options");
+    assert_refused("render a --frobnicate",
+                   "render has no option --frobnicate; `rectray render --help` lists its options");
     assert_refused("render a -z", "render has no option -z; `rectray render --help` lists its options");
     assert_refused("render a --pr float", "--pr could be --precision or --progress");
 }
@@ -158,7 +165,8 @@ static void options_should_refuse_those_of_other_commands(void)
 {
     assert_refused("check a --size 3x3", "check takes no --size; that is an option of: render trace bench");
     assert_refused("check a -s 3x3", "check takes no --size; that is an option of: render trace bench");
-    assert_refused("cast a --output b", "cast takes no --output; that is an option of: render trace compare generate bench");
+    assert_refused("cast a --output b",
+                   "cast takes no --output; that is an option of: render trace compare generate bench");
 }
 
 static void options_should_be_known_by_their_unambiguous_beginning(void)

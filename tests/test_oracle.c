@@ -1,5 +1,5 @@
-/* The exact oracle against a second exact method: the textbook's steps, P = O + t R and dot(N, cross(e, c)), in rational
- * numbers, on faces that are exactly planar. An oracle that is wrong would let every other test pass. */
+/* The exact oracle against a second exact method: the textbook's steps, P = O + t R and dot(N, cross(e, c)), in
+ * rational numbers, on faces that are exactly planar. An oracle that is wrong would let every other test pass. */
 #include "support/oracle.h"
 
 #include "unity.h"

@@ -53,7 +53,10 @@ static Vec3 pixel(void)
     return reference_pixel(&(Tracer){.scene = &small.scene, .report = &report, .recorder = &recorder}, 0, 0);
 }
 
-static PathEnd path_end(void) { return event_of(EVENT_PATH_END, 0)->as.path_end.reason; }
+static PathEnd path_end(void)
+{
+    return event_of(EVENT_PATH_END, 0)->as.path_end.reason;
+}
 
 /* ambient 1/8, diffuse 1/4, specular 1/2, each in its own colour. */
 static Material matt(void)
@@ -72,7 +75,10 @@ static void add_floor(Material material)
     small_scene_face(&small, small_scene_material(&small, material), face_at_height(-2, -2, 2, 2, 0));
 }
 
-void setUp(void) { small_scene_begin(&small); }
+void setUp(void)
+{
+    small_scene_begin(&small);
+}
 void tearDown(void) {}
 
 /* --- Illumination --- */
@@ -190,7 +196,8 @@ static void nearest_should_leave_out_the_face_to_skip(void)
     TEST_ASSERT_TRUE(hit.face == 1 && hit.t == 0.25);
     hit = reference_nearest(&(Tracer){.scene = &small.scene, .report = &report}, ray, 1);
     TEST_ASSERT_TRUE(hit.face == 0 && hit.t == 0.5);
-    hit = reference_nearest(&(Tracer){.scene = &small.scene, .report = &report}, (Ray){vec3(0, 0, 1), vec3(0, 0, 1)}, -1);
+    hit =
+        reference_nearest(&(Tracer){.scene = &small.scene, .report = &report}, (Ray){vec3(0, 0, 1), vec3(0, 0, 1)}, -1);
     TEST_ASSERT_EQUAL_INT(-1, hit.face);
 }
 
@@ -225,7 +232,10 @@ static void light_just_above_the_plane_should_reach_the_face(void)
 }
 
 /* A camera from the side, so that what hangs over the floor's centre does not hide it. */
-static void look_from_the_side(void) { small.scene.camera.position = vec3(1.5, 0, 1); }
+static void look_from_the_side(void)
+{
+    small.scene.camera.position = vec3(1.5, 0, 1);
+}
 
 static bool is_lit(void)
 {
@@ -240,10 +250,9 @@ static void only_occluders_between_point_and_light_should_shadow(void)
     const struct {
         double height;
         bool lit;
-    } cases[] = {{-1, true},         {-1e-9, true},
-                 {0.5, false},       {1, false},
-                 {1.9999999, false}, {2, true}, /* the light lies on it */
-                 {2.0000005, true},  {3, true}};
+    } cases[] = {{-1, true},        {-1e-9, true},      {0.5, false},
+                 {1, false},        {1.9999999, false}, {2, true}, /* the light lies on it */
+                 {2.0000005, true}, {3, true}};
     for (int i = 0; i < (int)(sizeof cases / sizeof cases[0]); i++) {
         small_scene_begin(&small);
         look_from_the_side();
@@ -272,7 +281,8 @@ static void occluder_should_shadow_up_to_its_edge(void)
     look_from_the_side();
     add_floor(glow(0.5, 0));
     small_scene_light(&small, vec3(0, 0, 2));
-    Face *occluder = small_scene_face(&small, 0, face_at_height(0, -0.5, 0.5, 0.5, 1)); /* the ray runs along its edge */
+    /* The ray runs along its edge. */
+    Face *occluder = small_scene_face(&small, 0, face_at_height(0, -0.5, 0.5, 0.5, 1));
     TEST_ASSERT_FALSE(is_lit());
     *occluder = face_at_height(0x1p-100, -0.5, 0.5, 0.5, 1);
     TEST_ASSERT_TRUE(is_lit());
@@ -292,11 +302,13 @@ static void front_only_occluder_should_shadow_by_its_side(void)
     look_from_the_side();
     add_floor(glow(0.5, 0));
     small_scene_light(&small, vec3(0, 0, 2));
-    Face *occluder = small_scene_face(&small, 0, face_at_height(-0.1, -0.1, 0.1, 0.1, 1)); /* front up, the ray comes from below */
+    /* Its front is up, the ray comes from below. */
+    Face *occluder = small_scene_face(&small, 0, face_at_height(-0.1, -0.1, 0.1, 0.1, 1));
     TEST_ASSERT_FALSE(is_lit());
     occluder->front_only = 1;
     TEST_ASSERT_TRUE(is_lit());
-    small_scene_face(&small, 0, face_quad(vec3(-1, 1, 1), vec3(1, 1, 1), vec3(1, -1, 1), vec3(-1, -1, 1)))->front_only = 1;
+    Face turned = face_quad(vec3(-1, 1, 1), vec3(1, 1, 1), vec3(1, -1, 1), vec3(-1, -1, 1));
+    small_scene_face(&small, 0, turned)->front_only = 1;
     TEST_ASSERT_FALSE(is_lit());
 }
 
@@ -359,9 +371,9 @@ static void ambient_rule_should_keep_the_ambient_term_of_every_light(void)
     look_from_the_side();
     small.scene.shading.shadow = SHADOW_AMBIENT;
     add_floor(matt());
-    small_scene_light(&small, vec3(0, 0, 2));                               /* blocked */
-    small_scene_light(&small, vec3(0, 0, -5))->ambient = vec3(2, 2, 2);     /* behind */
-    small_scene_light(&small, vec3(1, 1, 0))->ambient = vec3(4, 4, 4);      /* in the plane */
+    small_scene_light(&small, vec3(0, 0, 2));                           /* blocked */
+    small_scene_light(&small, vec3(0, 0, -5))->ambient = vec3(2, 2, 2); /* behind */
+    small_scene_light(&small, vec3(1, 1, 0))->ambient = vec3(4, 4, 4);  /* in the plane */
     small_scene_face(&small, 0, face_at_height(-0.1, -0.1, 0.1, 0.1, 1));
     ASSERT_VEC3_WITHIN(EXACT, 0.125 * 7, 0, 0, pixel());
     TEST_ASSERT_EQUAL_INT(0, event_of(EVENT_SHADED, 0)->as.shaded.lights_reaching);
@@ -389,8 +401,8 @@ static void ambient_rule_should_let_the_path_go_on_from_shadow(void)
     TEST_ASSERT_EQUAL_INT(PATH_MISSED, path_end());
 }
 
-/* In the x-z plane: from (-1, 1) down to a mirror at the origin, up to a wall at (1, 1). There L = (-1, 0), and so is V to
- * the camera, while V back along the ray is 45 degrees off: H is 22.5 degrees off, (N.H)^(8/4) = (1 + cos 45) / 2. */
+/* In the x-z plane: from (-1, 1) down to a mirror at the origin, up to a wall at (1, 1). There L = (-1, 0), and so is V
+ * to the camera, while V back along the ray is 45 degrees off: H is 22.5 degrees off, (N.H)^(8/4) = (1 + cos 45)/2. */
 static void build_viewer_scene(void)
 {
     small.scene.camera = (Camera){{-1, 0, 1}, {0, 0, 0}, {0, 0, 1}};
@@ -513,7 +525,8 @@ static void mirror_seen_from_behind_should_reflect_to_the_viewer(void)
 
 static void grid_should_average_its_samples(void)
 {
-    small_scene_face(&small, small_scene_material(&small, glow(1, 0)), face_at_height(-1, -1, 0, 1, 0)); /* the left half */
+    small_scene_face(&small, small_scene_material(&small, glow(1, 0)),
+                     face_at_height(-1, -1, 0, 1, 0)); /* the left half */
     small_scene_light(&small, vec3(0, 0, 2));
     small.scene.shading.background = vec3(0, 0.5, 1);
     small.scene.grid = 2;
@@ -545,8 +558,9 @@ static void recorder_should_hear_every_kind_of_event(void)
     build_eventful_scene();
     pixel();
     /* Nodes belong to trees, which the reference does without. */
-    const EventKind kinds[] = {EVENT_SAMPLE, EVENT_FACE,   EVENT_HIT,       EVENT_MISS,     EVENT_LIGHT, EVENT_OCCLUDER,
-                               EVENT_TERMS,  EVENT_SHADED, EVENT_LIGHT_END, EVENT_REFLECTED, EVENT_PATH_END, EVENT_PIXEL};
+    const EventKind kinds[] = {EVENT_SAMPLE,    EVENT_FACE,      EVENT_HIT,      EVENT_MISS,
+                               EVENT_LIGHT,     EVENT_OCCLUDER,  EVENT_TERMS,    EVENT_SHADED,
+                               EVENT_LIGHT_END, EVENT_REFLECTED, EVENT_PATH_END, EVENT_PIXEL};
     for (int i = 0; i < (int)(sizeof kinds / sizeof kinds[0]); i++)
         TEST_ASSERT_GREATER_THAN(0, events_of(kinds[i]));
     TEST_ASSERT_EQUAL_INT(0, events_of(EVENT_NODE));
@@ -572,7 +586,8 @@ static void events_should_count_what_the_report_counts(void)
     TEST_ASSERT_EQUAL_UINT64(report.rays.primary, events_of(EVENT_SAMPLE));
     TEST_ASSERT_EQUAL_UINT64(report.rays.reflection, events_of(EVENT_REFLECTED));
     TEST_ASSERT_EQUAL_UINT64(report.rays.shadow, shadow_rays);
-    TEST_ASSERT_EQUAL_INT(events_of(EVENT_HIT) + events_of(EVENT_MISS), events_of(EVENT_SAMPLE) + events_of(EVENT_REFLECTED));
+    TEST_ASSERT_EQUAL_INT(events_of(EVENT_HIT) + events_of(EVENT_MISS),
+                          events_of(EVENT_SAMPLE) + events_of(EVENT_REFLECTED));
     TEST_ASSERT_EQUAL_INT(events_of(EVENT_PATH_END), events_of(EVENT_SAMPLE));
     TEST_ASSERT_EQUAL_INT(events_of(EVENT_FACE), 2 * (events_of(EVENT_SAMPLE) + events_of(EVENT_REFLECTED)));
     TEST_ASSERT_EQUAL_INT(events_of(EVENT_LIGHT), 3 * events_of(EVENT_HIT));
@@ -637,13 +652,14 @@ static void events_should_lead_from_the_samples_to_the_pixel(void)
 
 static void face_events_should_give_the_verdict_on_every_face(void)
 {
-    add_floor(matt());                                                                                /* 0: seen */
-    small_scene_face(&small, 0, face_at_height(-1, -1, 1, 1, -1));                                    /* 1: farther */
-    small_scene_face(&small, 0, face_at_height(-1, -1, 1, 1, 2));                                     /* 2: behind */
-    small_scene_face(&small, 0, face_at_height(1, 1, 2, 2, 0.5));                                     /* 3: outside */
-    small_scene_face(&small, 0, face_quad(vec3(1, 0, 0), vec3(1, 1, 0), vec3(1, 1, 1), vec3(1, 0, 1))); /* 4: parallel */
+    add_floor(matt());                                             /* 0: seen */
+    small_scene_face(&small, 0, face_at_height(-1, -1, 1, 1, -1)); /* 1: farther */
+    small_scene_face(&small, 0, face_at_height(-1, -1, 1, 1, 2));  /* 2: behind */
+    small_scene_face(&small, 0, face_at_height(1, 1, 2, 2, 0.5));  /* 3: outside */
+    small_scene_face(&small, 0,
+                     face_quad(vec3(1, 0, 0), vec3(1, 1, 0), vec3(1, 1, 1), vec3(1, 0, 1))); /* 4: parallel */
     small_scene_face(&small, 0, face_quad(vec3(-1, 1, 0.5), vec3(1, 1, 0.5), vec3(1, -1, 0.5), vec3(-1, -1, 0.5)))
-        ->front_only = 1;                                                                             /* 5: back */
+        ->front_only = 1; /* 5: back */
     pixel();
     const FaceVerdict expected[] = {FACE_INSIDE, FACE_FARTHER, FACE_BEHIND, FACE_OUTSIDE, FACE_PARALLEL, FACE_BACK};
     for (int i = 0; i < 6; i++) {

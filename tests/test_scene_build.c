@@ -1,6 +1,6 @@
-/* From objects to traced faces: every transform in closed form, every verdict on a shape, the centre and the rounding. */
-#include "scene/geometry.h"
+/* From objects to traced faces: every transform in closed form, every verdict on a shape, centre and rounding. */
 #include "reader/scene_build.h"
+#include "scene/geometry.h"
 
 #include "unity.h"
 

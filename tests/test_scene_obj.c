@@ -1,6 +1,6 @@
 /* Wavefront models: references, materials, lines that are skipped, and libraries. */
-#include "reader/scene_obj.h"
 #include "base/text.h"
+#include "reader/scene_obj.h"
 
 #include "unity.h"
 
@@ -176,8 +176,9 @@ static void broken_lines_should_be_named(void)
     assert_fails("f\n", ":5: a face of 0 vertices; 3 or 4 are supported");
     build.object.material = -1;
     assert_fails("f 1 2 3\n", ":5: the face has no material: neither it nor its object names one");
-    assert_fails("usemtl none\nf 1 2 3\n",
-                 ":6: the face has no material: \"none\" is not in the scene nor in a library, and the object names none");
+    assert_fails(
+        "usemtl none\nf 1 2 3\n",
+        ":6: the face has no material: \"none\" is not in the scene nor in a library, and the object names none");
 }
 
 static void a_line_without_end_should_be_refused(void)

@@ -17,7 +17,8 @@ static Error error;
 enum { BOX_FACES = 6 };
 
 static const Material MATT = {.ambient = {0.2, 0.1, 0.1}, .diffuse = {0.7, 0.6, 0.5}};
-static const Material SHINY = {.ambient = {0.1, 0.1, 0.2}, .diffuse = {0.4, 0.5, 0.6}, .specular = {0.8, 0.7, 0.6}, .shininess = 40};
+static const Material SHINY = {
+    .ambient = {0.1, 0.1, 0.2}, .diffuse = {0.4, 0.5, 0.6}, .specular = {0.8, 0.7, 0.6}, .shininess = 40};
 static const Material MIRROR = {.ambient = {0.1, 0.2, 0.1}, .diffuse = {0.3, 0.3, 0.3}, .reflection = 0.5};
 
 /* The camera at the origin looks along -z; the rays through the pixels' centres have x and y of odd multiples of 1/4. */
@@ -37,7 +38,8 @@ void tearDown(void) {}
 /* --- Scenes --- */
 
 /* The corners of a side, outwards: bit 0 of a digit is x, bit 1 is y, bit 2 is z. */
-static const int SIDES[BOX_FACES][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+static const int SIDES[BOX_FACES][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
 static Vec3 corner_of(Vec3 low, Vec3 high, int corner)
 {
@@ -47,8 +49,9 @@ static Vec3 corner_of(Vec3 low, Vec3 high, int corner)
 static void add_side(int material, Vec3 low, Vec3 high, int side)
 {
     const int *k = SIDES[side];
-    small_scene_face(&small, material, face_quad(corner_of(low, high, k[0]), corner_of(low, high, k[1]),
-                                                 corner_of(low, high, k[2]), corner_of(low, high, k[3])));
+    small_scene_face(&small, material,
+                     face_quad(corner_of(low, high, k[0]), corner_of(low, high, k[1]), corner_of(low, high, k[2]),
+                               corner_of(low, high, k[3])));
 }
 
 static void add_box(int material, Vec3 low, Vec3 high)
@@ -59,7 +62,8 @@ static void add_box(int material, Vec3 low, Vec3 high)
 
 static void add_floor(int material)
 {
-    small_scene_face(&small, material, face_quad(vec3(-50, -3, 0), vec3(50, -3, 0), vec3(50, -3, -60), vec3(-50, -3, -60)));
+    small_scene_face(&small, material,
+                     face_quad(vec3(-50, -3, 0), vec3(50, -3, 0), vec3(50, -3, -60), vec3(-50, -3, -60)));
 }
 
 /* --- Pictures --- */
@@ -69,7 +73,8 @@ typedef struct Picture {
     RenderReport report;
 } Picture;
 
-static bool take_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far, Error *e)
+static bool take_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
+                      Error *e)
 {
     (void)so_far;
     (void)e;
@@ -81,8 +86,9 @@ static Picture render(Precision precision, AccelKind accel, unsigned no_skip)
 {
     Picture picture;
     RenderSettings settings = {.precision = precision, .accel = accel, .device = -1, .no_skip = no_skip};
-    TEST_ASSERT_TRUE_MESSAGE(opencl_render(&small.scene, &settings, (BandSink){take_band, picture.rgb}, &picture.report, &error),
-                             error.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        opencl_render(&small.scene, &settings, (BandSink){take_band, picture.rgb}, &picture.report, &error),
+        error.text);
     return picture;
 }
 
@@ -170,8 +176,11 @@ static void tiles_that_see_the_same_should_be_traced_by_their_corners(void)
     for (int k = 0; k < 6; k++) {
         small_scene_begin(&small);
         setUp();
-        int mirror = small_scene_material(&small, (Material){.ambient = {0.1, 0.1, 0.1}, .diffuse = {0.4, 0.5, 0.6},
-                                                             .specular = {0.3, 0.3, 0.3}, .shininess = 40, .reflection = 0.6});
+        int mirror = small_scene_material(&small, (Material){.ambient = {0.1, 0.1, 0.1},
+                                                             .diffuse = {0.4, 0.5, 0.6},
+                                                             .specular = {0.3, 0.3, 0.3},
+                                                             .shininess = 40,
+                                                             .reflection = 0.6});
         small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -5));
         small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, 2));
         small.scene.faces[0].front_only = small.scene.faces[1].front_only = k % 3 == 2;
@@ -204,8 +213,9 @@ static void tiles_should_go_on_whole_from_one_sided_mirrors(void)
     small_scene_light(&small, vec3(1, 3, 0));
     Picture picture;
     RenderSettings settings = {.device = -1, .lanes = 16, .accel = ACCEL_NONE}; /* the picture is one block then */
-    TEST_ASSERT_TRUE_MESSAGE(opencl_render(&small.scene, &settings, (BandSink){take_band, picture.rgb}, &picture.report, &error),
-                             error.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        opencl_render(&small.scene, &settings, (BandSink){take_band, picture.rgb}, &picture.report, &error),
+        error.text);
     TEST_ASSERT_EQUAL_UINT64(16 * 12, picture.report.rays.reflection);
     TEST_ASSERT_EQUAL_UINT64(2 * 16 * 12, picture.report.skipped[SKIP_WHOLE_TILE]);
     /* The four corners of the block ask the face once, which neither mirrors itself nor stands in its own light. */
@@ -314,7 +324,8 @@ static void box_should_be_closed_only_if_it_is_whole_and_two_sided_and_nothing_i
     TEST_ASSERT_EQUAL_INT_MESSAGE(0, closed_faces(), "a one-sided face");
     small.faces[3].front_only = 0;
     Face kept = small.faces[3];
-    small.faces[3] = face_quad(corner_of(low, high, 3), corner_of(low, high, 7), corner_of(low, high, 6), corner_of(low, high, 2));
+    small.faces[3] =
+        face_quad(corner_of(low, high, 3), corner_of(low, high, 7), corner_of(low, high, 6), corner_of(low, high, 2));
     small.planes[3] = face_plane(&small.faces[3]);
     TEST_ASSERT_EQUAL_INT_MESSAGE(0, closed_faces(), "a face turned inwards");
     small.faces[3] = small.faces[2];
@@ -346,8 +357,8 @@ static void backs_should_be_asked_where_rounding_makes_them_as_near_as_the_front
     add_floor(mirror);
     add_box(matt, vec3(1, -3, -8), vec3(3, 1, -4));
     add_box(shiny, vec3(-3, -3, -8), vec3(-1, 3, -4));
-    add_box(matt, vec3(-1, -3, -12), vec3(1, -1, -4));    /* stands beside both, with edges and sides in common */
-    add_box(shiny, vec3(1, 1, -8), vec3(3, 2, -4));       /* stands on the first one */
+    add_box(matt, vec3(-1, -3, -12), vec3(1, -1, -4)); /* stands beside both, with edges and sides in common */
+    add_box(shiny, vec3(1, 1, -8), vec3(3, 2, -4));    /* stands on the first one */
     add_box(mirror, vec3(-9, -3, -12.75), vec3(9, 3, -12.25));
     small_scene_light(&small, vec3(-1, 5, 1)); /* in the planes of sides */
     small_scene_light(&small, vec3(6, 4, -6));

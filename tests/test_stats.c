@@ -13,12 +13,27 @@ void setUp(void) {}
 void tearDown(void) {}
 
 static const Stats STATS = {
-    .report = {.build_ms = 1, .upload_ms = 2, .device_ms = 3, .compile_ms = 4, .trace_ms = 0.1, .readback_ms = 6,
+    .report = {.build_ms = 1,
+               .upload_ms = 2,
+               .device_ms = 3,
+               .compile_ms = 4,
+               .trace_ms = 0.1,
+               .readback_ms = 6,
                .rays = {18446744073709551615u, 9007199254740993u, 3},
-               .box_tests = 4, .face_tests = 5, .skipped = {[SKIP_LIGHT_BEHIND] = 6}, .lanes = 16, .accel = ACCEL_BVH,
-               .device = "a \"device\"", .build_options = "-D A"},
-    .parse_ms = 7, .encode_ms = 8, .total_ms = 1.0 / 3, .faces = 9, .lights = 10,
-    .backend = BACKEND_OPENCL, .precision = PRECISION_FLOAT,
+               .box_tests = 4,
+               .face_tests = 5,
+               .skipped = {[SKIP_LIGHT_BEHIND] = 6},
+               .lanes = 16,
+               .accel = ACCEL_BVH,
+               .device = "a \"device\"",
+               .build_options = "-D A"},
+    .parse_ms = 7,
+    .encode_ms = 8,
+    .total_ms = 1.0 / 3,
+    .faces = 9,
+    .lights = 10,
+    .backend = BACKEND_OPENCL,
+    .precision = PRECISION_FLOAT,
 };
 
 /* What stats_print writes; the caller frees it. */
@@ -54,7 +69,8 @@ static void stats_json_should_hold_every_key(void)
     cJSON *json = cJSON_Parse(text);
     TEST_ASSERT_NOT_NULL(json);
     const cJSON *phases = cJSON_GetObjectItem(json, "phases_ms");
-    const char *const names[] = {"build", "upload", "device", "compile", "trace", "readback", "parse", "encode", "total"};
+    const char *const names[] = {"build",    "upload", "device", "compile", "trace",
+                                 "readback", "parse",  "encode", "total"};
     const double values[] = {1, 2, 3, 4, 0.1, 6, 7, 8, 1.0 / 3};
     for (int i = 0; i < 9; i++)
         assert_number(phases, names[i], values[i]);

@@ -18,12 +18,21 @@ void setUp(void)
 {
     material = (Material){.diffuse = {1, 1, 1}};
     light = (Light){.position = {0, 5, 0}, .ambient = {1, 1, 1}, .diffuse = {1, 1, 1}, .specular = {1, 1, 1}};
-    scene = (Scene){.camera = {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}}, .lights = &light, .light_count = 1,
-                    .materials = &material, .material_count = 1, .faces = &face, .planes = &plane, .face_count = 1,
+    scene = (Scene){.camera = {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+                    .lights = &light,
+                    .light_count = 1,
+                    .materials = &material,
+                    .material_count = 1,
+                    .faces = &face,
+                    .planes = &plane,
+                    .face_count = 1,
                     .shading = {.max_bounces = 5}};
 }
 
-void tearDown(void) { survey_free(&survey); }
+void tearDown(void)
+{
+    survey_free(&survey);
+}
 
 static void put_face(Vec3 centre, int axis, int front_only)
 {
@@ -73,9 +82,9 @@ static void survey_should_count_a_face_that_turns_its_back(void)
     put_face(vec3(0, 0, 3), 2, 1); /* faces +z, away from the camera at z = 0 */
     assert_unseen(0, 1, 0, 0);     /* the light is behind it: it may block */
     light.position = vec3(0, 0, 9);
-    assert_unseen(0, 1, 0, 1);     /* shadow rays to this light come through its back */
+    assert_unseen(0, 1, 0, 1); /* shadow rays to this light come through its back */
     face.front_only = 0;
-    assert_unseen(0, 0, 1, 0);     /* two-sided: only its place behind the camera hides it */
+    assert_unseen(0, 0, 1, 0); /* two-sided: only its place behind the camera hides it */
 }
 
 static void survey_should_count_a_face_behind_the_camera_only_when_all_of_it_is(void)
@@ -133,7 +142,8 @@ static void survey_should_tell_used_materials_and_idle_lights(void)
 
 static void survey_should_count_a_split_face_once(void)
 {
-    Face faces[3] = {{.vertex_count = 3, .number = 4}, {.vertex_count = 3, .number = 4}, {.vertex_count = 4, .number = 5}};
+    Face faces[3] = {
+        {.vertex_count = 3, .number = 4}, {.vertex_count = 3, .number = 4}, {.vertex_count = 4, .number = 5}};
     Plane planes[3] = {{.d = 1}, {.d = 1}, {.d = 1}};
     scene.faces = faces;
     scene.planes = planes;

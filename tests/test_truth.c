@@ -1,9 +1,9 @@
-/* The truth about a pixel, its exact box-filtered colour, found in three ways that must agree: the double reference on fine
- * grids, the exact coverage of polygons (coverage.h), and closed forms. Every tolerance is a bound that is derived: of a
- * grid, coverage_grid_bound; of a closed form, the rounding of its formula. */
+/* The truth about a pixel, its exact box-filtered colour, found in three ways that must agree: the double reference on
+ * fine grids, the exact coverage of polygons (coverage.h), and closed forms. Every tolerance is a bound that is
+ * derived: of a grid, coverage_grid_bound; of a closed form, the rounding of its formula. */
+#include "reader/scene_json.h"
 #include "support/coverage.h"
 #include "trace/reference.h"
-#include "reader/scene_json.h"
 
 #include "support/assert_vec3.h"
 #include "support/small_scene.h"
@@ -23,7 +23,7 @@ void setUp(void)
 }
 void tearDown(void) {}
 
-/* A material that is the same everywhere, whatever the lights do, with the rule of ambient shadows and one white light. */
+/* A material that is the same everywhere, whatever the lights do: ambient shadows, and one white light. */
 static int unshaded(Vec3 colour)
 {
     small.scene.shading.shadow = SHADOW_AMBIENT;
@@ -77,8 +77,8 @@ static double squared_if_positive(double x)
     return x > 0 ? x * x : 0;
 }
 
-/* The area of the unit square where a x + b y <= c, for a, b > 0: the triangle under the line, less what of it is beyond the
- * square's right and upper side, and what both take away. */
+/* The area of the unit square where a x + b y <= c, for a, b > 0: the triangle under the line, less what of it is
+ * beyond the square's right and upper side, and what both take away. */
 static double half_plane_area(double a, double b, double c)
 {
     double area = squared_if_positive(c) - squared_if_positive(c - a) - squared_if_positive(c - b) +
@@ -129,8 +129,8 @@ static void edge_at_any_angle_should_cut_off_its_half_plane(void)
     }
 }
 
-/* A grid is the same turned by half a turn about the pixel's centre. One that is not misses edges to one side, by less than
- * a bound for any edge can tell. */
+/* A grid is the same turned by half a turn about the pixel's centre. One that is not misses edges to one side, by less
+ * than a bound for any edge can tell. */
 static void half_a_turn_should_change_no_pixel(void)
 {
     uint64_t seed = 9;
@@ -147,7 +147,7 @@ static void half_a_turn_should_change_no_pixel(void)
 
 /* --- Coverage against the reference --- */
 
-/* A parallelogram of random place, size, tilt and colour; its corners are multiples of 1/64, so that they are in one plane. */
+/* A parallelogram of random place, size, tilt and colour; its corners are multiples of 1/64, hence in one plane. */
 static void add_card(uint64_t *seed)
 {
     Vec3 v[3];
@@ -219,8 +219,9 @@ static void of_two_faces_in_one_plane_the_first_should_be_seen(void)
 
 /* --- Facing mirrors --- */
 
-/* Unfolded, a ray that meets k mirrors passes through their images 0 ... k - 1, rectangles in planes ever farther away, so
- * that the pixel is a sum over images: the share of it that sees image k, times what one more hit adds to the colour. */
+/* Unfolded, a ray that meets k mirrors passes through their images 0 ... k - 1, rectangles in planes ever farther away,
+ * so that the pixel is a sum over images: the share of it that sees image k, times what one more hit adds to the
+ * colour. */
 static void facing_mirrors_should_add_up_their_images(void)
 {
     const double q = 0.75;

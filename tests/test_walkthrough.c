@@ -2,8 +2,8 @@
  * what it tells is in order, and each kind of event, each verdict and each end of a path occurs. */
 #include "walkthrough/walkthrough.h"
 
-#include "trace/reference_render.h"
 #include "reader/scene_json.h"
+#include "trace/reference_render.h"
 #include "unity.h"
 
 #include <stdlib.h>
@@ -20,7 +20,8 @@ static unsigned char *picture;
 
 /* What has occurred, in any pixel of any scene. */
 static struct {
-    long kinds[EVENT_KIND_COUNT], adaptive[ADAPTIVE_HIGHLIGHT + 1], faces[FACE_VERDICT_COUNT], occluders[FACE_VERDICT_COUNT], edges[4];
+    long kinds[EVENT_KIND_COUNT], adaptive[ADAPTIVE_HIGHLIGHT + 1], faces[FACE_VERDICT_COUNT],
+        occluders[FACE_VERDICT_COUNT], edges[4];
     long light_verdicts[LIGHT_REACHES + 1], path_ends[PATH_MAX_BOUNCES + 1];
     long light_in_plane, on_edge, same_t, ambient_only, mirrored_background, clamped, from_behind, superseded;
 } seen;
@@ -201,9 +202,9 @@ static void events_should_follow_one_another_as_a_path_does(void)
         [EVENT_REFLECTED] = "tally miss",
         [EVENT_PATH_END] = "sample pixel",
     };
-    static const char *const names[EVENT_KIND_COUNT] = {"adaptive",  "sample",   "face",      "node",  "hit",
-                                                        "miss",      "light",    "occluder",  "light_end", "terms",
-                                                        "shaded",    "reflected", "path_end", "pixel", "tally"};
+    static const char *const names[EVENT_KIND_COUNT] = {"adaptive", "sample",    "face",     "node",      "hit",
+                                                        "miss",     "light",     "occluder", "light_end", "terms",
+                                                        "shaded",   "reflected", "path_end", "pixel",     "tally"};
     for (int s = 0; s < 4; s++) {
         load(scenes[s % 2]);
         build(s < 2 ? ACCEL_NONE : ACCEL_BVH);

@@ -1,5 +1,5 @@
-/* The walkthrough as text, for every pixel of the scenes that take every branch: no line is too long, no number is ugly,
- * and the last line states the pixel. */
+/* The walkthrough as text, for every pixel of the scenes that take every branch: no line is too long, no number is
+ * ugly, and the last line states the pixel. */
 #include "reader/scene_json.h"
 #include "unity.h"
 #include "walkthrough/walkthrough_formats.h"

@@ -1,5 +1,5 @@
-/* A memory that fails, for LD_PRELOAD: counts what is allocated between the program's main and its return, lets some of it
- * fail, and tells what was not given back. From the environment:
+/* A memory that fails, for LD_PRELOAD: counts what is allocated between the program's main and its return, lets some of
+ * it fail, and tells what was not given back. From the environment:
  *   FAULT_AT=N        the N-th allocation fails, from 1; without it none
  *   FAULT_ON=1        and every one after it
  *   FAULT_CALLER=own  only what the program's own code asks for counts; what its libraries ask for never fails

@@ -1,10 +1,10 @@
-/* An OpenCL that fails, for LD_PRELOAD: stands before the loader, counts the calls, lets some of them fail, and tells what
- * was not released. From the environment:
+/* An OpenCL that fails, for LD_PRELOAD: stands before the loader, counts the calls, lets some of them fail, and tells
+ * what was not released. From the environment:
  *   FAULT_AT=N       the N-th call fails, from 1; without it none
  *   FAULT_ON=1       and every one after it
  *   FAULT_DEVICES=0  every platform says that it has no device
- *   FAULT_LOG=FILE   gets one line in the end: "CALLS LEFT [NAME]", LEFT being how many objects nobody released, NAME the
- *                    first call that failed
+ *   FAULT_LOG=FILE   gets one line in the end: "CALLS LEFT [NAME]", LEFT being how many objects nobody released, NAME
+ *                    the first call that failed
  * Releases never fail: nothing can be done about one that does. To add a call that the program makes, add its line. */
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
@@ -52,39 +52,39 @@ static cl_int failed(cl_int *status)
 }
 
 /* The loader's function of the same name; ISO C has no cast from an object to a function. */
-#define REAL(name) \
+#define REAL(name)          \
     __typeof__(&name) real; \
     *(void **)&real = dlsym(RTLD_NEXT, #name)
 
 /* A call that returns its status. */
-#define STATUS_CALL(name, parameters, arguments) \
-    cl_int name parameters \
-    { \
-        REAL(name); \
+#define STATUS_CALL(name, parameters, arguments)             \
+    cl_int name parameters                                   \
+    {                                                        \
+        REAL(name);                                          \
         return fails(#name) ? failed(NULL) : real arguments; \
     }
 
 /* One that returns an object, and its status through the last parameter. */
 #define OBJECT_CALL(type, name, parameters, arguments) \
-    type name parameters \
-    { \
-        REAL(name); \
-        if (fails(#name)) { \
-            failed(status); \
-            return NULL; \
-        } \
-        type object = real arguments; \
-        left += object != NULL; \
-        return object; \
+    type name parameters                               \
+    {                                                  \
+        REAL(name);                                    \
+        if (fails(#name)) {                            \
+            failed(status);                            \
+            return NULL;                               \
+        }                                              \
+        type object = real arguments;                  \
+        left += object != NULL;                        \
+        return object;                                 \
     }
 
 #define RELEASE_CALL(name, type) \
-    cl_int name(type object) \
-    { \
-        REAL(name); \
-        calls++; \
-        left--; \
-        return real(object); \
+    cl_int name(type object)     \
+    {                            \
+        REAL(name);              \
+        calls++;                 \
+        left--;                  \
+        return real(object);     \
     }
 
 STATUS_CALL(clGetPlatformIDs, (cl_uint room, cl_platform_id *platforms, cl_uint *count), (room, platforms, count))
@@ -126,7 +126,8 @@ STATUS_CALL(clBuildProgram,
 STATUS_CALL(clGetProgramInfo, (cl_program program, cl_program_info key, size_t size, void *value, size_t *needed),
             (program, key, size, value, needed))
 STATUS_CALL(clGetProgramBuildInfo,
-            (cl_program program, cl_device_id device, cl_program_build_info key, size_t size, void *value, size_t *needed),
+            (cl_program program, cl_device_id device, cl_program_build_info key, size_t size, void *value,
+             size_t *needed),
             (program, device, key, size, value, needed))
 STATUS_CALL(clSetKernelArg, (cl_kernel kernel, cl_uint index, size_t size, const void *value),
             (kernel, index, size, value))

@@ -1,7 +1,7 @@
 /* What the fuzzers try. A target takes any bytes as its input and ends the program where the code under test breaks a
- * promise; the sanitizers watch the rest. `make fuzz` makes libFuzzer programs of them, tests/test_fuzz.c runs them over the
- * inputs kept in tests/fuzz/NAME/. To add one: its function here, fuzz_NAME.c, the folder tests/fuzz/NAME, its name in
- * FUZZ_TARGETS. */
+ * promise; the sanitizers watch the rest. `make fuzz` makes libFuzzer programs of them, tests/test_fuzz.c runs them
+ * over the inputs kept in tests/fuzz/NAME/. To add one: its function here, fuzz_NAME.c, the folder tests/fuzz/NAME, its
+ * name in FUZZ_TARGETS. */
 #ifndef RECTRAY_TESTS_FUZZ_H
 #define RECTRAY_TESTS_FUZZ_H
 
@@ -30,7 +30,7 @@ int fuzz_options(const uint8_t *data, size_t size);
 #define REQUIRE(promise) ((promise) ? (void)0 : fuzz_broken(#promise, __FILE__, __LINE__))
 void fuzz_broken(const char *promise, const char *file, int line);
 
-/* A file without a name, but with a path: /proc/self/fd/NUMBER, which is returned until the next call for the number. */
+/* A file without a name, but with a path: /proc/self/fd/NUMBER. It is there until the next call for that number. */
 enum { FUZZ_MODEL = 100, FUZZ_LIBRARY = 101 };
 const char *fuzz_file(int number, const uint8_t *data, size_t size);
 
@@ -40,7 +40,7 @@ size_t fuzz_cut(const uint8_t **data, size_t *size);
 /* A failure has a kind and one message, without control characters. */
 void fuzz_check_error(const Error *error);
 
-/* What every loaded scene promises its tracers; and that both trees lead a few rays to the faces that one finds without. */
+/* What every loaded scene promises its tracers; and that both trees lead a few rays to the same faces as none does. */
 void fuzz_check_scene(const Scene *scene);
 
 #endif

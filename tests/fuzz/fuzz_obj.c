@@ -1,4 +1,4 @@
-/* Target: the OBJ reader, with a material library. The object has a material of its own where the model is of odd length. */
+/* Target: the OBJ reader, with a material library. The object has its own material where the model's length is odd. */
 #include "fuzz.h"
 
 #include "reader/scene_obj.h"

@@ -3,9 +3,9 @@
  * answered by the milliseconds of one more picture, so that two programs can be measured turn by turn.
  * Usage: embree SCENE [--size COLUMNSxROWS] [--grid N] [--repeats N] [--serve] [-o PICTURE.png] */
 #include "base/clock.h"
-#include "picture/image.h"
 #include "base/parallel.h"
 #include "peer_trace.h"
+#include "picture/image.h"
 #include "reader/scene_json.h"
 
 #include <inttypes.h>

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Embree hands over N rays and hits field by field: a ray's direction is its fields 4 to 6, a hit's normal the first three. */
+/* Embree hands over N rays and hits field by field: a ray's direction is its fields 4 to 6, a hit's normal 0 to 2. */
 static void let_pass_from_behind(const struct RTCFilterFunctionNArguments *a)
 {
     float sign = ((const QueryContext *)(const void *)a->context)->sign;

@@ -10,7 +10,7 @@
 /* Hit points lie this far off their faces, relative to the magnitudes that made them: some of Embree's roundings. */
 #define SHIFT 4e-6f
 
-/* out[i] = table[index[i]], four bytes each: the one thing here that the compiler does not make a vector of by itself. */
+/* out[i] = table[index[i]], four bytes each: the one thing here that the compiler makes no vector of by itself. */
 static void gather16(void *restrict out, const void *restrict table, const int *restrict index)
 {
 #ifdef __AVX512F__

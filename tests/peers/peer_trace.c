@@ -4,9 +4,9 @@
 #include "peer_trace.h"
 
 #include "base/clock.h"
-#include "scene/geometry.h"
 #include "base/parallel.h"
 #include "peer_shade.h"
+#include "scene/geometry.h"
 
 #include <immintrin.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Whole pictures with Embree, by the same rules as ours (docs/algorithm.md). Floats throughout, sixteen lanes at a time. */
+/* Whole pictures with Embree, by the same rules as ours (docs/algorithm.md). Floats throughout, in sixteen lanes. */
 #ifndef RECTRAY_PEER_TRACE_H
 #define RECTRAY_PEER_TRACE_H
 

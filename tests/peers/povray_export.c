@@ -1,8 +1,8 @@
-/* Writes a scene for POV-Ray: the same faces, view, lights and colours, as near as its shading comes to ours, so that whole
- * processes can be timed side by side. One-sided faces become two-sided ones: POV-Ray knows no others.
+/* Writes a scene for POV-Ray: the same faces, view, lights and colours, as near as its shading comes to ours, so that
+ * whole processes can be timed side by side. One-sided faces become two-sided ones: POV-Ray knows no others.
  * Usage: povray_export SCENE.json > SCENE.pov */
-#include "scene/geometry.h"
 #include "reader/scene_json.h"
+#include "scene/geometry.h"
 
 #include <stdio.h>
 

@@ -9,10 +9,10 @@
  *                                                 from any edge, and the worst (of those, where there are any)
  *     failed MESSAGE                              the scene does not load, or a backend fails
  * All in one process, for starting a device's driver takes longer than a small picture. */
-#include "support/near_edge.h"
 #include "opencl/opencl.h"
-#include "trace/reference_render.h"
 #include "reader/scene_json.h"
+#include "support/near_edge.h"
+#include "trace/reference_render.h"
 
 #include <inttypes.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* How exact t is, and that grazing rays meet the face where it is. Tests 7 and 8. */
-#include "support/oracle.h"
 #include "scenes.h"
+#include "support/oracle.h"
 #include "tests.h"
 
 #include <stdlib.h>

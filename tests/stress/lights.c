@@ -1,7 +1,7 @@
 /* A light where no light should be, and what a highlight is made of. Tests 11 and 20. */
-#include "trace/reference.h"
 #include "scenes.h"
 #include "tests.h"
+#include "trace/reference.h"
 
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* What a scene may be made of: any bits as vertices, and each kind of bad face. Tests 14 and 15. */
-#include "trace/reference.h"
 #include "reader/scene_build.h"
 #include "scenes.h"
 #include "tests.h"
+#include "trace/reference.h"
 
 #include <stdio.h>
 #include <string.h>

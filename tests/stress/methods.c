@@ -1,9 +1,9 @@
 /* The four ways to trace, behind one set of questions. */
 #include "opencl/opencl_cast.h"
-#include "trace/reference.h"
 #include "scenes.h"
 #include "suite.h"
 #include "textbook.h"
+#include "trace/reference.h"
 
 #include <float.h>
 #include <stdio.h>

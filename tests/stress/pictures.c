@@ -1,10 +1,10 @@
 /* Whole paths and whole pictures. Tests 17, 18 and 19. */
 #include "opencl/opencl.h"
-#include "trace/reference.h"
-#include "trace/reference_render.h"
 #include "reader/scene_json.h"
 #include "scenes.h"
 #include "tests.h"
+#include "trace/reference.h"
+#include "trace/reference_render.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -81,7 +81,8 @@ void probe_load(Probe *probe, const Scene *scene)
     probe->launch = (Parameters){
         .face_count = scene->face_count,
         .light_count = scene->light_count,
-        .no_skip = 1 << SKIP_WEAK_BOUNCE, .max_bounces = scene->shading.max_bounces,
+        .no_skip = 1 << SKIP_WEAK_BOUNCE,
+        .max_bounces = scene->shading.max_bounces,
         .shadow_ambient = scene->shading.shadow == SHADOW_AMBIENT,
         .viewer_ray = scene->shading.viewer == VIEWER_RAY,
     };

@@ -1,5 +1,5 @@
-/* What the stress suite asks the product's kernels beside what the product asks: single functions of theirs, one work-item
- * per question, all lanes the same. Compiled with the kernel `cast`, every face asked in turn. */
+/* What the stress suite asks the product's kernels beside what the product asks: single functions of theirs, one
+ * work-item per question, all lanes the same. Compiled with the kernel `cast`, every face asked in turn. */
 #include "packet/paths.cl"
 #include "packet/camera.cl"
 #include "packet/power.cl"

@@ -1,10 +1,11 @@
-/* A device kept open for the suite: the product's own kernels, and beside them, compiled with the same sources, a few that
- * ask single functions of the product what no command shows: every face hit, one shadow segment, the shifted point. */
+/* A device kept open for the suite: the product's own kernels, and beside them, compiled with the same sources, a few
+ * that ask single functions of the product what no command shows: every face hit, one shadow segment, the shifted
+ * point. */
 #ifndef RECTRAY_STRESS_PROBE_H
 #define RECTRAY_STRESS_PROBE_H
 
-#include "opencl/opencl_program.h"
 #include "opencl/device_scene.h"
+#include "opencl/opencl_program.h"
 
 typedef struct Probe {
     OpenclSession session;
@@ -16,8 +17,8 @@ typedef struct Probe {
 /* Ends the program with the error's message unless `ok`. */
 void stop_unless(bool ok, const Error *error);
 
-/* Puts the product's and the probe's kernels where the product will read them, and takes them away again. Between the two
- * lies what RECTRAY_KERNELS was before. */
+/* Puts the product's and the probe's kernels where the product will read them, and takes them away again. Between the
+ * two lies what RECTRAY_KERNELS was before. */
 char *probe_sources_write(void);
 void probe_sources_remove(char *kept);
 

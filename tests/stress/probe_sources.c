@@ -1,8 +1,8 @@
-/* The product reads its kernels from the folder that RECTRAY_KERNELS names: the probe writes them to a folder of its own, with
- * the probe kernels behind `cast`, whose program they become part of. */
+/* The product reads its kernels from the folder that RECTRAY_KERNELS names: the probe writes them to a folder of its
+ * own, with the probe kernels behind `cast`, whose program they become part of. */
+#include "base/text.h"
 #include "opencl/kernel_sources.h"
 #include "probe.h"
-#include "base/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* Random numbers that every machine draws alike: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number
- * generators", 2014). */
+/* Random numbers that every machine draws alike: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom
+ * number generators", 2014). */
 #ifndef RECTRAY_STRESS_RANDOM_H
 #define RECTRAY_STRESS_RANDOM_H
 

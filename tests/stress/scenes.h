@@ -1,5 +1,5 @@
-/* Scenes made in memory: faces given in double and rounded once, as the readers do, but not moved to their centre, so that
- * the arithmetic gets no help. */
+/* Scenes made in memory: faces given in double and rounded once, as the readers do, but not moved to their centre, so
+ * that the arithmetic gets no help. */
 #ifndef RECTRAY_STRESS_SCENES_H
 #define RECTRAY_STRESS_SCENES_H
 

@@ -1,6 +1,6 @@
 /* The next ray's start and the shadow ray's ends. Tests 9 and 10. */
-#include "support/oracle.h"
 #include "scenes.h"
+#include "support/oracle.h"
 #include "tests.h"
 
 #include <stdlib.h>

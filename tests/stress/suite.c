@@ -1,8 +1,8 @@
 /* The table of failures, and rays by the batch. */
 #include "suite.h"
 
-#include "support/oracle.h"
 #include "scenes.h"
+#include "support/oracle.h"
 
 #include <stdarg.h>
 #include <stdio.h>

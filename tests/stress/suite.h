@@ -1,15 +1,15 @@
 /* What the stress tests have in common: the ways to trace that they compare, rays by the million, a table of failures.
- * Four methods answer the same rays: the taught formulas in float32 (a baseline, which is allowed to fail), the kernels in
- * float and in double, the reference. The exact oracle judges.
+ * Four methods answer the same rays: the taught formulas in float32 (a baseline, which is allowed to fail), the kernels
+ * in float and in double, the reference. The exact oracle judges.
  * To add a test, write a function in a file of its subject and name it in main.c. */
 #ifndef RECTRAY_STRESS_SUITE_H
 #define RECTRAY_STRESS_SUITE_H
 
-#include "trace/accel.h"
 #include "probe.h"
 #include "random.h"
-#include "trace/render.h"
 #include "scene/scene.h"
+#include "trace/accel.h"
+#include "trace/render.h"
 
 typedef enum Method { TEXTBOOK, KERNEL_FLOAT, KERNEL_DOUBLE, REFERENCE, METHOD_COUNT } Method;
 
@@ -58,7 +58,7 @@ void suite_fail(Suite *suite, Method method, const double *ray, const char *form
 /* One measured value and the most it may be; limit < 0: any. */
 void suite_measure(Suite *suite, Method method, long rays, double value, double limit);
 
-/* Rays by the batch. Half of the batches hold floats and go to all methods, half hold doubles and not to the textbook. */
+/* Rays by the batch. Half of the batches hold floats and go to all methods; half hold doubles: not to the textbook. */
 typedef struct Cast {
     double count;
     void *user;

@@ -1,11 +1,11 @@
 /* The baseline: the formulas that the project teaches, taken literally in float32, as a first program would have them.
- * The plane's D, the hit point, the sign of dot(N, cross(e, c)) at each edge, the point shifted by a fixed 1e-5. The table
- * of docs/stability.md shows beside it what the cures buy. */
+ * The plane's D, the hit point, the sign of dot(N, cross(e, c)) at each edge, the point shifted by a fixed 1e-5. The
+ * table of docs/stability.md shows beside it what the cures buy. */
 #ifndef RECTRAY_STRESS_TEXTBOOK_H
 #define RECTRAY_STRESS_TEXTBOOK_H
 
-#include "trace/render.h"
 #include "scene/scene.h"
+#include "trace/render.h"
 
 #include <stdbool.h>
 

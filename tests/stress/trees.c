@@ -1,9 +1,9 @@
 /* What must not matter to a hit: the tree it was found through, the scale, the axes, the order of vertices and faces.
  * Tests 13 and 16. */
 #include "opencl/opencl_cast.h"
-#include "trace/reference.h"
 #include "scenes.h"
 #include "tests.h"
+#include "trace/reference.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Closed surfaces, seen through their seams: sheets of quads, Embree's sphere and plane, boxes. Tests 1 to 5. */
-#include "support/oracle.h"
 #include "scenes.h"
+#include "support/oracle.h"
 #include "tests.h"
 
 #include <stdio.h>
@@ -48,7 +48,7 @@ static const char *check_no_miss(void *user, const Scene *scene, Method method, 
     return NULL;
 }
 
-/* The spacing is at least 32 ulp of the offset: with less, rounding makes quads concave, and a sheet of those has holes. */
+/* The spacing is at least 32 ulp of the offset: with less, rounding makes quads concave, and such a sheet has holes. */
 typedef struct Place {
     double offset, spacing;
 } Place;

@@ -1,8 +1,8 @@
 /* Exact coverage: the faces' polygons in a pixel, less what nearer faces hide. */
 #include "coverage.h"
 
-#include "scene/geometry.h"
 #include "polygon.h"
+#include "scene/geometry.h"
 
 #include <assert.h>
 
@@ -77,7 +77,7 @@ typedef struct PixelRays {
     Exact3 eye, corner, across, down;
 } PixelRays;
 
-/* ((number + share)/count - 1/2) size as a vector along `unit`: what is constant in it, and what belongs to the share. */
+/* ((number + share)/count - 1/2) size as a vector along `unit`: its constant part, and the part of the share. */
 static void screen_axis(int number, int count, double size, Vec3 unit, Exact3 *constant, Exact3 *per_share)
 {
     mpq_t step, start, scale;

@@ -126,8 +126,8 @@ static inline Vec3 point_of_face(const Face *face, uint64_t *state)
     return vec3_add(vec3_scale(1 - t, low), vec3_scale(t, high));
 }
 
-/* Rays from anywhere to anywhere, to vertices and edges, along the axes in the planes of boxes' sides, and rays that graze
- * the plane of a face or lie in it. */
+/* Rays from anywhere to anywhere, to vertices and edges, along the axes in the planes of boxes' sides, and rays that
+ * graze the plane of a face or lie in it. */
 static inline Ray hard_ray(const Scene *scene, uint64_t *state)
 {
     const Face *face = &scene->faces[random_next(state) % (uint64_t)scene->face_count];

@@ -33,8 +33,8 @@ bool is_near_edge(const Scene *scene, int column, int row)
         if (c < 0 || c >= scene->screen.columns || r < 0 || r >= scene->screen.rows)
             continue;
         uint64_t hash = 0xcbf29ce484222325u;
-        reference_sample(&(Tracer){.scene = &fine, .report = &unused, .recorder = &(Recorder){hash_event, &hash}}, c, r, k / 9 % FINE,
-                         k / 9 / FINE);
+        reference_sample(&(Tracer){.scene = &fine, .report = &unused, .recorder = &(Recorder){hash_event, &hash}}, c, r,
+                         k / 9 % FINE, k / 9 / FINE);
         if (first != 0 && hash != first)
             return true;
         first = hash;

@@ -1,5 +1,5 @@
-/* Where a float kernel's picture may differ from the reference's: beside an edge of a face or of a shadow, in a mirror, too.
- * There rounding decides on which side a ray passes. */
+/* Where a float kernel's picture may differ from the reference's: beside an edge of a face or of a shadow, in a mirror,
+ * too. There rounding decides on which side a ray passes. */
 #ifndef RECTRAY_TESTS_NEAR_EDGE_H
 #define RECTRAY_TESTS_NEAR_EDGE_H
 

@@ -134,7 +134,8 @@ static void determinant(mpz_t out, Integers a, Integers b, Integers c)
     mpz_set(out, work.sum);
 }
 
-/* With the face's normal M = (v2 - v0) x (v3 - v1): numerator M.(O - v0), denominator M.R, t = -numerator / denominator. */
+/* With the face's normal M = (v2 - v0) x (v3 - v1): numerator M.(O - v0), denominator M.R, t = -numerator /
+ * denominator. */
 static void plane_terms(int face)
 {
     Integers *v = work.vertices[face];
@@ -164,7 +165,8 @@ static int side_of_edges(void)
 
 enum { UNSURE = 2 };
 
-/* The sign of det(a, b, c) where it is plain. Each entry carries at most one rounding, each product of three at most 7. */
+/* The sign of det(a, b, c) where it is plain. Each entry carries at most one rounding, each product of three at most
+ * 7. */
 static int plain_sign(const long double a[3], const long double b[3], const long double c[3])
 {
     long double value = 0, magnitude = 0;

@@ -1,9 +1,9 @@
 /* The exact oracle: what a ray meets, by integer arithmetic without any rounding (GMP).
- * It shares nothing with the tracers but what a face is: four float32 vertices, a triangle repeating its first. A ray is
- * six doubles, origin and direction. A finite double is an integer times a power of two, so that every determinant below
- * is an integer, every comparison of two t a cross-multiplication.
- * A quad whose rounded vertices lie a little off one plane: inside are the rays that pass all four edges on one side (signs
- * of four volumes, 0 allowed, not all 0), its plane goes through vertex 0 with the normal (v2 - v0) x (v3 - v1). */
+ * It shares nothing with the tracers but what a face is: four float32 vertices, a triangle repeating its first. A ray
+ * is six doubles, origin and direction. A finite double is an integer times a power of two, so that every determinant
+ * below is an integer, every comparison of two t a cross-multiplication.
+ * A quad whose rounded vertices lie a little off one plane: inside are the rays that pass all four edges on one side
+ * (signs of four volumes, 0 allowed, not all 0), its plane goes through vertex 0, normal to (v2 - v0) x (v3 - v1). */
 #ifndef RECTRAY_TESTS_ORACLE_H
 #define RECTRAY_TESTS_ORACLE_H
 

@@ -19,6 +19,9 @@ static inline int64_t random_integer(uint64_t *state, int64_t range)
 }
 
 /* In [-1, 1], a multiple of 2^-20: a float holds it. */
-static inline double random_unit(uint64_t *state) { return (double)random_integer(state, 1 << 20) / (1 << 20); }
+static inline double random_unit(uint64_t *state)
+{
+    return (double)random_integer(state, 1 << 20) / (1 << 20);
+}
 
 #endif
