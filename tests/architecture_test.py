@@ -1,5 +1,5 @@
-"""The house stands as docs/architecture.md says. Its folders are floors: a file includes only from its own folder and from the
-folders before it in the lists below. Its modules, each a NAME.h with its NAME.c, form no circle."""
+"""The house stands as docs/architecture.md says. Its folders are floors: a file includes only from its own folder and
+from the folders before it in the lists below. Its modules, each a NAME.h with its NAME.c, form no circle."""
 import re
 import unittest
 from pathlib import Path
@@ -14,7 +14,8 @@ FLOORS = {
 }
 
 # Folders that do not know each other, although one stands before the other.
-APART = {("json", "scene"), ("opencl", "picture"), ("opencl", "walkthrough"), ("picture", "walkthrough"), ("tile", "adaptive")}
+APART = {("json", "scene"), ("opencl", "picture"), ("opencl", "walkthrough"), ("picture", "walkthrough"),
+         ("tile", "adaptive")}
 
 # What an included name stands for that the host chooses: opencl_sources.h.
 CHOICES = {"TREE": ["packet/bvh.cl", "packet/kdtree.cl", "packet/all_faces.cl"],
@@ -40,7 +41,8 @@ def folder_of(name):
 
 
 def modules(top):
-    """Each module of the tree `top` with the modules that its files include. NAME.h and NAME.c are one; kernels stand alone."""
+    """Each module of the tree `top` with the modules that its files include. NAME.h and NAME.c are one; kernels stand
+    alone."""
     def module_of(name):
         return re.sub(r"\.[hc]$", "", name)
 

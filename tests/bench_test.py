@@ -57,7 +57,8 @@ class Speed(BenchTest):
         self.assertEqual((scene["scene"], scene["columns"], scene["rows"], scene["grid"]), ("minimal.json", 8, 6, 1))
         self.assertEqual(scene["rays"]["primary"], 48)
         self.assertIsNone(scene["peer"])
-        for key in ("faces", "lights", "trace_ms", "fastest_ms", "slowest_ms", "primary_ms", "unmirrored_ms", "build_ms"):
+        for key in ("faces", "lights", "trace_ms", "fastest_ms", "slowest_ms", "primary_ms", "unmirrored_ms",
+                    "build_ms"):
             self.assertGreaterEqual(scene[key], 0, key)
         self.assertGreater(scene["device_bytes"], 0)
         self.assertEqual(set(scene["skipped"]), {"mirrors", "tree", "whole_tile"})
@@ -100,7 +101,8 @@ class Speed(BenchTest):
         self.assertIn("page.md", self.bench(SCENE, "--folder", "page.md/x", status=3).stderr)
 
     def test_what_stops_it_leaves_no_temporary_folder(self):
-        """Neither ^C, which a terminal sends to all, nor SIGKILL for it alone: a rendering that was begun may end first."""
+        """Neither ^C, which a terminal sends to all, nor SIGKILL for it alone: a rendering that was begun may end
+        first."""
         for number, send in ((signal.SIGINT, os.killpg), (signal.SIGTERM, os.killpg), (signal.SIGKILL, os.kill)):
             process = subprocess.Popen([RECTRAY, "bench", SCENE, "--repeats=99", "--quiet"], cwd=self.folder.name,
                                        stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, start_new_session=True,
@@ -120,7 +122,8 @@ class Speed(BenchTest):
     def test_what_it_cannot_start_is_told(self):
         def few_files():
             resource.setrlimit(resource.RLIMIT_NOFILE, (4, 4))
-        for message, options in (("cannot start sh: No such file", {"PATH": "/nowhere"}), ("cannot make a pipe: Too many open files", {}),
+        for message, options in (("cannot start sh: No such file", {"PATH": "/nowhere"}),
+                                 ("cannot make a pipe: Too many open files", {}),
                                  ("cannot make the temporary folder ", {"TMPDIR": "/nowhere"})):
             done = subprocess.run([RECTRAY, "bench", SCENE], cwd=self.folder.name, capture_output=True, text=True,
                                   env={**os.environ, "TMPDIR": self.folder.name, **options},
@@ -216,7 +219,8 @@ class Error(BenchTest):
                 for way in ("float", "double", "reference"):
                     self.assertEqual(int(self.rows[f"{way}, grid {grid}"]["primary"]), 48 * grid * grid)
                     if grid > 1:
-                        self.assertLessEqual(int(self.rows[f"{way}, adaptive {grid}"]["primary"]), 48 * (max(4 * grid, grid * grid // 2) + 1))
+                        self.assertLessEqual(int(self.rows[f"{way}, adaptive {grid}"]["primary"]),
+                                             48 * (max(4 * grid, grid * grid // 2) + 1))
             for more in ("0 bounces", "accel none", "accel kdtree", "accel bvh"):
                 self.assertIn(f"float, grid 4, {more}", self.rows)
         with self.subTest("the double kernel is as far from the truth as the reference, float hardly farther"):

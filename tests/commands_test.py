@@ -101,7 +101,8 @@ class Render(CommandTest):
 
     def test_maps_that_cannot_be_are_refused(self):
         for text, *words in (["needs --backend reference", "time", "map.png"], ["the name of a file", "rays"],
-                             ["the name of a file", "rays", "-q"], ["'colour': expected rays, time", "colour", "map.png"],
+                             ["the name of a file", "rays", "-q"],
+                             ["'colour': expected rays, time", "colour", "map.png"],
                              ["would replace the picture", "rays", "a.png", "-o", "a.png"],
                              ["would replace the scene", "rays", "scene.json"]):
             self.assertIn(text, self.run_program("render", "scene.json", "--map", *words, status=2)[1])
@@ -115,7 +116,8 @@ class Render(CommandTest):
         self.assertNotIn("note", self.render("--precision", "double")[1])
 
     def test_stats_go_to_stdout_or_where_the_picture_does_not(self):
-        keys = ["phases_ms", "rays", "skipped", "pixels", "tests", "faces", "lights", "device", "backend", "precision", "lanes",
+        keys = ["phases_ms", "rays", "skipped", "pixels", "tests", "faces", "lights", "device", "backend", "precision",
+                "lanes",
                 "accel", "build_options", "device_memory_bytes", "peak_memory_bytes"]
         stats = json.loads(self.render("--stats=json")[0])
         self.assertEqual(sorted(stats), sorted(keys))
@@ -171,7 +173,8 @@ class Kernels(CommandTest):
         self.put("file", "not a folder")
         homeless = {key: value for key, value in os.environ.items()
                     if key not in ("HOME", "XDG_CACHE_HOME", "RECTRAY_CACHE_DIR")}
-        homeless.setdefault("POCL_CACHE_DIR", os.path.expanduser("~/.cache/pocl/kcache")) # the driver's own, already filled
+        # the driver's own, already filled
+        homeless.setdefault("POCL_CACHE_DIR", os.path.expanduser("~/.cache/pocl/kcache"))
         for environment in (homeless, dict(homeless, HOME=self.path("file")), dict(homeless, XDG_CACHE_HOME="/proc"),
                             dict(homeless, RECTRAY_CACHE_DIR="/proc"), # which nobody may write to
                             dict(homeless, RECTRAY_CACHE_DIR=self.path("file")),
@@ -185,9 +188,9 @@ class Kernels(CommandTest):
                      os.sched_getaffinity(0) == set(range(os.cpu_count())), "needs Linux and more than one processor")
 class Threads(CommandTest):
     def processors_of_threads(self, *words, **environment):
-        """What the threads of a render, seen again and again until it ends, may run on: those that are there for a quarter of
-        its time, for the ones that build the tree are sent to their processors and let go; and but for the first one, which
-        the driver sends round to look at the processors."""
+        """What the threads of a render, seen again and again until it ends, may run on: those that are there for a
+        quarter of its time, for the ones that build the tree are sent to their processors and let go; and but for the
+        first one, which the driver sends round to look at the processors."""
         seen, looks = collections.Counter(), 0
         child = subprocess.Popen([PROGRAM, "render", "scene.json", "-q", "-o", "a.png", *words], cwd=self.folder,
                                  env={**os.environ, **environment})
@@ -232,12 +235,14 @@ class Generate(CommandTest):
 
 class Check(CommandTest):
     def test_lights_that_need_no_shadow_rays_are_told(self):
-        lights = [{"position": [1000, 0, 5]}] + [{"position": [1000, 0, 5], "diffuse": [0, 0, 0], "specular": [0, 0, 0], **more}
+        dark = {"position": [1000, 0, 5], "diffuse": [0, 0, 0], "specular": [0, 0, 0]}
+        lights = [{"position": [1000, 0, 5]}] + [{**dark, **more}
                                                  for more in ({}, {"ambient": [0, 0, 0]}, {"ambient": [0, 0, 0]})]
         black, mirror = "2 of the lights: black", {"reflection": 0.5}
         for rule, material, told in (("black", {}, [black + "\n"]),
                                      ("black", mirror, [black + ", though a path goes on from where they reach\n"]),
-                                     ("ambient", mirror, [black + "\n", "shadow rays to 1 of the lights: their ambient"])):
+                                     ("ambient", mirror,
+                                      [black + "\n", "shadow rays to 1 of the lights: their ambient"])):
             self.put("scene.json", json.dumps({**SCENE, "lights": lights, "shading": {"shadow": rule},
                                                "materials": {"pink": {"diffuse": [1, 1, 1], **material}}}))
             out = self.run_program("check", "scene.json")[0].decode()

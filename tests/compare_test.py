@@ -81,8 +81,10 @@ class Compare(CommandTest):
         self.assertIn("heatmap", err)
 
     def test_the_two_pictures_of_the_differences_have_two_names(self):
-        self.assertIn("both cannot be x.png", self.run_program("compare", "a.png", "b.png", "-o", "x.png", "--heatmap", "x.png", status=2)[1])
-        self.assertIn("both cannot be -", self.run_program("compare", "a.png", "b.png", "-o", "-", "--heatmap", "-", status=2)[1])
+        self.assertIn("both cannot be x.png",
+                      self.run_program("compare", "a.png", "b.png", "-o", "x.png", "--heatmap", "x.png", status=2)[1])
+        self.assertIn("both cannot be -",
+                      self.run_program("compare", "a.png", "b.png", "-o", "-", "--heatmap", "-", status=2)[1])
 
     def test_pictures_that_cannot_be_compared_are_1(self):
         self.assertIn("2 x 2 pixels", self.run_program("compare", "a.png", "c.png", status=1)[1])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Memory that runs out at the N-th allocation, and OpenCL calls that fail at the N-th, for every N: the program does its
-work all the same, or says in one message what failed, leaves no file, frees everything and exits with 3.
+"""Memory that runs out at the N-th allocation, and OpenCL calls that fail at the N-th, for every N: the program does
+its work all the same, or says in one message what failed, leaves no file, frees everything and exits with 3.
 tests/faults/ has the two libraries that fail on command; `make soak` tries real scenes too."""
 import glob
 import os
@@ -62,7 +62,8 @@ class FaultTest(CommandTest):
                         self.assertRegex(err, message)
                         self.assertLessEqual(written.items(), files.items()) # each is whole, or not there
                     elif told[2:] and told[2].endswith("Info"):
-                        self.assertEqual(list(written), list(files)) # a device that does not tell what it is, is used all the same
+                        # a device that does not tell what it is, is used all the same
+                        self.assertEqual(list(written), list(files))
                     else:
                         self.assertEqual((self.timeless(out), written), (self.timeless(expected[1]), files))
                     if self.counts_what_is_left(library, settings):
@@ -105,7 +106,8 @@ class Memory(FaultTest):
         self.every("render", "scene.json", "-b", "reference", "--threads", "1", "--quiet", "-o", "-")
 
     def test_a_map(self):
-        self.every("render", "scene.json", "-b", "reference", "--threads", "1", "-q", "--sampling", "adaptive:2", "-o", "a.png",
+        self.every("render", "scene.json", "-b", "reference", "--threads", "1", "-q", "--sampling", "adaptive:2",
+                   "-o", "a.png",
                    "--map", "rays", "map.png")
 
     def test_generate(self):

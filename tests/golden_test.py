@@ -4,8 +4,8 @@ docs/walkthrough.md, a chapter around such output. Both begin with the command t
 
     python3 tests/golden_test.py --renew (make golden) writes them anew; the difference is then git's to show.
 
-In the chapter a block after "```console" holds the command, and blocks after "```text" hold whole steps of its output, in
-order. Functions that it names, `like_this` in `src/file.c`, must be there."""
+In the chapter a block after "```console" holds the command, and blocks after "```text" hold whole steps of its output,
+in order. Functions that it names, `like_this` in `src/file.c`, must be there."""
 import glob
 import os
 import re
@@ -57,7 +57,8 @@ def chapter_text():
     def part(heading):
         """By the heading without what may change in it: "Step 3", "Pixel (1, 2) of", "Pixel (1, 2) ="."""
         fixed = re.match(r"Step \d+|Pixel \(.*?\) \S+", heading).group(0)
-        found = [text for line, text in parts.items() if re.match(re.escape(fixed) + r"\b|" + re.escape(fixed) + " ", line)]
+        same = re.compile(re.escape(fixed) + r"\b|" + re.escape(fixed) + " ")
+        found = [text for line, text in parts.items() if same.match(line)]
         return found[0] if found else heading + "\n(no longer there)"
 
     def renewed(match):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What a command answers to files that are no files, to crowds of things, to the largest pictures and to scenes without
-sense: a picture, or one message of a few lines and status 1; soon, and with memory in proportion. What one text can have
-wrong is in tests/test_hostile.c and tests/scenes/bad/; `make soak` adds the largest cases."""
+sense: a picture, or one message of a few lines and status 1; soon, and with memory in proportion. What one text can
+have wrong is in tests/test_hostile.c and tests/scenes/bad/; `make soak` adds the largest cases."""
 import json
 import os
 import re
@@ -82,7 +82,8 @@ class Files(HostileTest):
         os.symlink("loop.obj", self.path("loop.obj"))
         for name, reason in (("folder.obj", "is a folder, not a file"), ("pipe.obj", "is a pipe, not a file"),
                              ("/dev/zero", "is a device, not a file"), ("/dev/tty", "cannot be opened|is a device"),
-                             ("loop.obj", "cannot be opened: Too many levels"), ("", "is a folder, not a file|cannot be"),
+                             ("loop.obj", "cannot be opened: Too many levels"),
+                             ("", "is a folder, not a file|cannot be"),
                              ("missing.obj", "cannot be opened: No such file"), ("scene.json/x", "Not a directory")):
             self.put_model(name, None)
             self.assertRegex(self.refused("check", "scene.json"), reason)
@@ -96,7 +97,8 @@ class Files(HostileTest):
 
     def test_a_scene_and_rays_that_are_no_file(self):
         os.mkfifo(self.path("pipe"))
-        for words in (["check", "pipe"], ["render", "pipe"], ["trace", "pipe", "--pixel", "0,0"], ["check", "/dev/zero"],
+        for words in (["check", "pipe"], ["render", "pipe"], ["trace", "pipe", "--pixel", "0,0"],
+                      ["check", "/dev/zero"],
                       ["check", "."], ["cast", "scene.json", "--rays", "."], ["compare", ".", "."],
                       ["compare", "scene.json", "scene.json"]):
             self.refused(*words)
@@ -127,10 +129,12 @@ class Files(HostileTest):
             self.assertRegex(err, r"^(m\.obj(:\d+)?: .+\n)?$")
 
     def test_references_past_the_vertices(self):
-        for face in ("f 1 2 5", "f -5 1 2", "f 1 2 99999999999999999999", "f 1 2 -99999999999999999999", "f 1 2 2147483648",
+        for face in ("f 1 2 5", "f -5 1 2", "f 1 2 99999999999999999999", "f 1 2 -99999999999999999999",
+                     "f 1 2 2147483648",
                      "f 1 2 -2147483649", "f 0 1 2"):
             self.put_model("m.obj", QUAD + face + "\n")
-            self.assertRegex(self.refused("check", "scene.json"), "^m.obj:5: (vertex -?[0-9]+ does not exist|\"0\" is not)")
+            self.assertRegex(self.refused("check", "scene.json"),
+                             "^m.obj:5: (vertex -?[0-9]+ does not exist|\"0\" is not)")
 
     def test_models_and_libraries_in_odd_encodings(self):
         quad = QUAD + "f 1 2 3 4\n"
@@ -142,7 +146,8 @@ class Files(HostileTest):
         self.put_model("m.obj", "mtllib m.mtl\n" + quad)
         with open(self.path("m.mtl"), "w", encoding="utf-8-sig") as file:
             file.write("newmtl pink\n")
-        self.assertRegex(self.refused("check", "scene.json"), r"^m\.obj:1: mtllib: m\.mtl:1: starts with a byte order mark; .*$")
+        self.assertRegex(self.refused("check", "scene.json"),
+                         r"^m\.obj:1: mtllib: m\.mtl:1: starts with a byte order mark; .*$")
         self.put_model("m.obj", quad.replace("\n", "\r\n"))
         self.measured("check", "scene.json")
 
@@ -190,20 +195,23 @@ class Texts(HostileTest):
             self.measured("render", "scene.json", "-q", "-b", "reference", "-o", "a.png")
         for number, reason in (("1e999", "the number is too large .*"), ("-1e999", "the number is too large .*"),
                                ("0x10", "not a number of JSON .*"), ("007", "not a number of JSON .*"),
-                               ("1e", "not a number of JSON .*"), ("1" * 1000000, "a number of more than 63 characters"),
+                               ("1e", "not a number of JSON .*"),
+                               ("1" * 1000000, "a number of more than 63 characters"),
                                ("NaN", "expected a value .*"), ("1e300", "camera.*")):
             os.path.exists(self.path("a.png")) and os.remove(self.path("a.png"))
             self.assert_refused(text.replace('"NUMBER"', number), rf"1:\d+: {reason}")
 
     def test_bytes(self):
         whole = scene().encode()
-        for text, line in ((b"", "1:1: .*"), (b"\0" * 1000, "1:1: a NUL byte; .*"), (whole + b"\0", r"1:\d+: a NUL byte; .*"),
+        for text, line in ((b"", "1:1: .*"), (b"\0" * 1000, "1:1: a NUL byte; .*"),
+                           (whole + b"\0", r"1:\d+: a NUL byte; .*"),
                            (b"\xef\xbb\xbf" + whole, "1:1: starts with a byte order mark; .*"),
                            (whole.decode().encode("utf-16"), "1:1: .*UTF-16.*"),
                            (whole.replace(b"tile", b"\\ud800"), r"1:\d+: half a surrogate pair; .*"),
                            (whole.replace(b"tile", b"\\udc00\\ud800"), r"1:\d+: half a surrogate pair; .*"),
                            (whole.replace(b"tile", b"\xed\xa0\x80"), r"1:\d+: .*UTF-8.*"),
-                           (whole.replace(b'"lights"', b'"camera"'), r"1:\d+: camera: the key stands twice in this object; .*")):
+                           (whole.replace(b'"lights"', b'"camera"'),
+                            r"1:\d+: camera: the key stands twice in this object; .*")):
             self.assert_refused(text, line)
         self.put("scene.json", json.dumps(SCENE, indent=1).replace("\n", "\r\n"))
         self.measured("render", "scene.json", "-q", "-b", "reference", "-o", "a.png")
@@ -232,7 +240,8 @@ class Names(HostileTest):
                 self.assertEqual(json.loads(text)["scene"]["file"], "caf?.json")
             if form == "svg":
                 xml.etree.ElementTree.fromstring(out)
-        out = subprocess.run([PROGRAM, "check", "--geometry", name], cwd=self.folder, capture_output=True, check=True).stdout
+        out = subprocess.run([PROGRAM, "check", "--geometry", name], cwd=self.folder, capture_output=True,
+                             check=True).stdout
         self.assertIn("caf? \x9b", [json.loads(line.split(" ", 2)[2]) for line in out.decode().splitlines()
                                      if line.startswith("material")])
 
@@ -252,7 +261,8 @@ class Crowds(HostileTest):
         self.run_program("compare", "a.png", "c.png", "--tolerance", "1")
 
     def test_a_thousand_lights(self):
-        lights = [{"position": [1000 + i % 10, i // 10 % 10, 2 + i // 100], "diffuse": [0.001, 0.001, 0.002]} for i in range(1000)]
+        lights = [{"position": [1000 + i % 10, i // 10 % 10, 2 + i // 100], "diffuse": [0.001, 0.001, 0.002]}
+                  for i in range(1000)]
         self.put("scene.json", scene(lights=lights))
         self.render_both()
 
@@ -267,7 +277,9 @@ class Crowds(HostileTest):
 
     def test_ten_thousand_materials_and_a_wrong_one(self):
         materials = {f"m{i}": {} for i in range(10000)}
-        self.put("scene.json", scene(materials=materials, objects=[{"material": "m10000", "box": {"min": [0, 0, 0], "max": [1, 1, 1]}}]))
+        self.put("scene.json",
+                 scene(materials=materials,
+                       objects=[{"material": "m10000", "box": {"min": [0, 0, 0], "max": [1, 1, 1]}}]))
         self.assertRegex(self.refused("check", "scene.json"), 'the material "m10000" does not exist; did you mean "m')
 
     def test_a_hundred_thousand_objects(self):
@@ -289,13 +301,15 @@ class Crowds(HostileTest):
     def test_memory_grows_with_the_faces_as_the_page_says(self):
         """docs/scene-format.md states the bytes of a face, for loading and for rendering."""
         with open("docs/scene-format.md", encoding="utf-8") as file:
-            stated = {match[0]: int(match[1]) for match in re.findall(r"^\| `(rectray [^`]+)` \| (\d+) \|$", file.read(), re.M)}
+            stated = {match[0]: int(match[1])
+                      for match in re.findall(r"^\| `(rectray [^`]+)` \| (\d+) \|$", file.read(), re.M)}
         self.assertEqual(len(stated), 4)
         sides = (1000, 3163) if SOAK else (450, 800)
         peaks = []
         for side in sides:
             self.put_faces(side)
-            peaks.append({command: self.measured(*command.replace("SCENE", "scene.json").split()[1:], "-q", seconds=900)[1]
+            peaks.append({command: self.measured(*command.replace("SCENE", "scene.json").split()[1:], "-q",
+                                                 seconds=900)[1]
                           for command in stated})
         for command, bytes_per_face in stated.items():
             measured = (peaks[1][command] - peaks[0][command]) / (sides[1] ** 2 - sides[0] ** 2)
@@ -327,14 +341,18 @@ class Pictures(HostileTest):
         """In the plane of a face, within it, looking along it and through it: the face itself is not seen."""
         for look_at in ([1000.5, 0.9, 0], [1000.5, 0.5, 5], [1000.5, 0.5, -5]):
             camera = {"position": [1000.5, 0.5, 0], "look_at": look_at, "up": [1, 0, 0]}
-            self.put("scene.json", scene(camera=camera, objects=SCENE["objects"][:1], shading={"background": [1, 1, 1]}))
+            self.put("scene.json",
+                     scene(camera=camera, objects=SCENE["objects"][:1], shading={"background": [1, 1, 1]}))
             self.assert_all_pixels([255])
 
     def test_a_view_without_direction(self):
-        for camera, reason in (({"position": [1, 2, 3], "look_at": [1, 2, 3]}, "camera.look_at: the camera looks at its own position"),
-                               ({"position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 0, -3]}, 'camera.up: "up" is parallel to the view'),
+        for camera, reason in (({"position": [1, 2, 3], "look_at": [1, 2, 3]},
+                                "camera.look_at: the camera looks at its own position"),
+                               ({"position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 0, -3]},
+                                'camera.up: "up" is parallel to the view'),
                                ({"position": [0, 5, 0], "look_at": [0, 0, 0]}, 'camera: the view is parallel to "up"'),
-                               ({"position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 0, 0]}, 'camera.up: "up" has no direction')):
+                               ({"position": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 0, 0]},
+                                'camera.up: "up" has no direction')):
             self.put("scene.json", scene(camera=camera))
             self.assertIn(reason, self.refused("render", "scene.json"))
 
@@ -345,7 +363,8 @@ class Pictures(HostileTest):
         for backend in ("reference", "opencl"):
             tiny = self.measured("render", "scene.json", "-q", "-b", backend, "-o", "a.png", "-s", "16x16")[1]
             for size in ("16384x16384", "16384x4096", "1x16384") if SOAK else ("16384x256", "2048x2048", "1x16384"):
-                peak = self.measured("render", "scene.json", "-q", "-b", backend, "-o", "a.png", "-s", size, seconds=1200)[1]
+                peak = self.measured("render", "scene.json", "-q", "-b", backend, "-o", "a.png", "-s", size,
+                                     seconds=1200)[1]
                 self.assertLess(peak - tiny, 64 * MIB, f"{backend}, {size}")
             columns, rows = struct.unpack(">II", self.bytes_of("a.png")[16:24])
             self.assertEqual((columns, rows), (1, 16384))

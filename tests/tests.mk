@@ -51,7 +51,7 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(BUILD)/tests/unity.o $(LIBRARY)
 
 # The exact oracle reckons in integers of any size, exact coverage in rationals.
 $(BUILD)/tests/test_oracle: $(BUILD)/tests/support/oracle.o
-$(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(BUILD)/tests/support/coverage.o $(BUILD)/tests/support/polygon.o
+$(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(patsubst %,$(BUILD)/tests/support/%.o,coverage polygon)
 $(BUILD)/tests/test_oracle $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: LIBS += -lgmp
 
 $(BUILD)/tests/test_backends: $(BUILD)/tests/support/near_edge.o

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""`rectray trace` from outside: its JSON keeps to the schema and holds all that a pixel's colour is made of, its OBJ and
-SVG are read back, and every mistake gets its message and its exit status."""
+"""`rectray trace` from outside: its JSON keeps to the schema and holds all that a pixel's colour is made of, its OBJ
+and SVG are read back, and every mistake gets its message and its exit status."""
 import glob
 import json
 import math
@@ -52,7 +52,8 @@ class Story:
     def __init__(self, document, test):
         self.test = test
         self.scene = document["scene"]
-        self.close = max(1e-12, 1e-15 * max(map(abs, self.scene["centre"])))  # positions are rounded in the file's coordinates
+        # positions are rounded in the file's coordinates
+        self.close = max(1e-12, 1e-15 * max(map(abs, self.scene["centre"])))
         samples, self.told = [], False
         for event in document["events"]:
             handler = getattr(self, event["event"].replace(" ", "_"), None)
@@ -105,7 +106,8 @@ class Story:
 
     def terms(self, event):
         l, v, n = event["l"], event["v"], self.n
-        viewer = minus(self.scene["camera"], self.point) if self.scene["viewer"] == "camera" else times(-1, self.direction)
+        to_camera = self.scene["viewer"] == "camera"
+        viewer = minus(self.scene["camera"], self.point) if to_camera else times(-1, self.direction)
         self.near(unit(viewer), v)
         h = unit(add(l, v))
         shine = max(dot(n, h), 0) ** (event["shininess"] / 4)
@@ -278,7 +280,8 @@ class Drawings(CommandTest):
 
     def test_blocked_shadow_rays_are_dashed(self):
         for row in range(15):
-            events = json.loads(self.run_program("trace", SCENES[1], "--pixel", f"8,{row}", "--format", "json")[0])["events"]
+            events = json.loads(self.run_program("trace", SCENES[1], "--pixel", f"8,{row}",
+                                                 "--format", "json")[0])["events"]
             blocked = sum(event.get("verdict") == "blocked" for event in events)
             svg = self.run_program("trace", SCENES[1], "--pixel", f"8,{row}", "--format", "svg")[0].decode()
             self.assertEqual(svg.count("<path class='blocked' d='M"), 2 * blocked + 1)  # two views and the legend
@@ -318,7 +321,8 @@ class Options(CommandTest):
             self.assertEqual(out.decode().splitlines()[-1], f"Pixel ({column}, {row}) = {picture[row][column]}")
 
     def test_adaptive_sampling_names_the_face_and_the_light(self):
-        """A tile before a wall: its border passes through pixels whose centres are on the wall, its shadow is left of it."""
+        """A tile before a wall: its border passes through pixels whose centres are on the wall, its shadow is left of
+        it."""
         def square(name, half, z):
             return {"name": name, "material": "red", "faces": [[0, 1, 2, 3]],
                     "vertices": [[-half, -half, z], [half, -half, z], [half, half, z], [-half, half, z]]}
@@ -345,8 +349,10 @@ class Options(CommandTest):
             "camera": {"position": [0, 0, 1], "look_at": [0, 0, 0]}, "screen": {"columns": 3, "rows": 3},
             "lights": [{"position": [0.2, 0.3, 1]}], "materials": {"m": {"diffuse": [0.7, 0, 0], "reflection": 0.9}},
             "objects": [wall("back", 0), wall("front", 2)]}))
-        for bounces, labels in (("4", ["P1, P3, P5", "P2, P4"]), ("40", ["P1, P3, P5, P7, P9...", "P2, P4, P6, P8, P10..."])):
-            svg = self.run_program("trace", "scene.json", "--pixel", "1,1", "--format", "svg", "--bounces", bounces)[0].decode()
+        for bounces, labels in (("4", ["P1, P3, P5", "P2, P4"]),
+                                ("40", ["P1, P3, P5, P7, P9...", "P2, P4, P6, P8, P10..."])):
+            svg = self.run_program("trace", "scene.json", "--pixel", "1,1", "--format", "svg",
+                                   "--bounces", bounces)[0].decode()
             for label in labels:
                 self.assertEqual(svg.count(f">{label}</text>"), 2, label) # in either view
 
@@ -364,9 +370,11 @@ class Options(CommandTest):
                 refined = column
         pixel = ("trace", gallery, "--pixel", f"{refined},70", *words)
         _, err = self.run_program(*pixel, "--sample", "1,0", status=2)
-        self.assertIn(f"--sample 1,0: adaptive sampling traces one sample in each column of pixel {refined},70, in column 1 that of row 13", err)
+        self.assertIn(f"--sample 1,0: adaptive sampling traces one sample in each column of pixel {refined},70, "
+                      "in column 1 that of row 13", err)
         out, _ = self.run_program(*pixel, "--sample", "1,13")
-        self.assertIn("the average of 16 samples, one in each column and each row of a grid of 16 x 16", " ".join(out.decode().split()))
+        self.assertIn("the average of 16 samples, one in each column and each row of a grid of 16 x 16",
+                      " ".join(out.decode().split()))
 
     def test_verbose_lists_every_face(self):
         out, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12", "--verbose")
@@ -434,8 +442,10 @@ class Mistakes(CommandTest):
             self.assert_usage(f"--pixel '{value}': expected two whole numbers", f"--pixel={value}")
 
     def test_a_sample_must_be_in_the_grid(self):
-        self.assert_usage("--sample 1,0 is outside the grid, whose samples are 0,0 to 0,0", "--pixel", "1,1", "--sample", "1,0")
-        self.assert_usage("--sample 0,2 is outside the grid, whose samples are 0,0 to 1,1", "--pixel", "1,1", "--grid", "2",
+        self.assert_usage("--sample 1,0 is outside the grid, whose samples are 0,0 to 0,0", "--pixel", "1,1",
+                          "--sample", "1,0")
+        self.assert_usage("--sample 0,2 is outside the grid, whose samples are 0,0 to 1,1", "--pixel", "1,1",
+                          "--grid", "2",
                           "--sample", "0,2")
 
     def test_a_format_must_be_one_there_is(self):

@@ -60,7 +60,8 @@ def try_mutant(folder, mutant):
         with open(path, "w", encoding="utf-8") as out:
             out.write(original.replace(before, after))
         program, arguments = program_of(test)
-        build = subprocess.run(["make", "-s", program, "WERROR="], cwd=folder, capture_output=True, text=True, check=False)
+        build = subprocess.run(["make", "-s", program, "WERROR="], cwd=folder, capture_output=True, text=True,
+                               check=False)
         if build.returncode != 0:
             return False, "does not build: " + (build.stderr.strip().splitlines() or ["?"])[0]
         environment = dict(os.environ, RECTRAY_KERNELS=os.path.abspath(f"{folder}/kernels"))
@@ -118,13 +119,16 @@ def main():
     waiting, results = queue.Queue(), []
     for mutant in chosen:
         waiting.put(mutant)
-    threads = [threading.Thread(target=work, args=(i, waiting, results)) for i in range(min(arguments.jobs, len(chosen)))]
+    threads = [threading.Thread(target=work, args=(i, waiting, results))
+               for i in range(min(arguments.jobs, len(chosen)))]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
     survivors = [mutant[0] for mutant, killed, _ in results if not killed]
-    print(f"{len(results) - len(survivors)} killed, {len(survivors)} survived" + "".join(f"\n  {name}" for name in survivors))
+    print(f"{len(results) - len(survivors)} killed, {len(survivors)} survived")
+    for name in survivors:
+        print(f"  {name}")
     sys.exit(1 if survivors or len(results) < len(chosen) else 0)
 
 

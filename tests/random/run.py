@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Renders COUNT random scenes on both backends and compares (scenes.py makes them, compare.c judges): scene SEED, SEED + 1, ...
-A scene that fails stays in FOLDER, as it was made and reduced to what the failure needs. The last line sums up:
-"N passed, N failed".
+"""Renders COUNT random scenes on both backends and compares (scenes.py makes them, compare.c judges). Their seeds are
+SEED, SEED + 1, ... A scene that fails stays in FOLDER, as it was made and reduced to what the failure needs.
+The last line sums up: "N passed, N failed".
 Usage: run.py COMPARE FOLDER COUNT SEED    COMPARE: the program built from compare.c"""
 import copy
 import itertools
@@ -19,9 +19,9 @@ ADAPTIVE_BUILDS = [(8, "bvh"), (16, "none")]
 
 
 def good(verdict, generator):
-    """In a scene snapped to a lattice whole rows of rays may run along an edge, and float rounds them to either side: there
-    any number of pixels beside edges may be off. Where faces lie on one another, float may see the one or the other. Of
-    extreme numbers a float keeps too few digits."""
+    """In a scene snapped to a lattice whole rows of rays may run along an edge, and float rounds them to either side:
+    there any number of pixels beside edges may be off. Where faces lie on one another, float may see the one or the
+    other. Of extreme numbers a float keeps too few digits."""
     return verdict[0] == "equal" or (
         verdict[0] == "float" and (generator.tied or generator.extreme or (generator.snapped and verdict[3] == "0")))
 
@@ -138,8 +138,8 @@ def main(program, folder, count, seed):
             passed += 1
             pixels[may] += result[1]
             off[may] += result[2]
-    print(f"{count} scenes, {sum(pixels)} pixels, equal in double and through trees. Off by more than 1/255 in float: {off[0]} of {pixels[0]} "
-          f"pixels, and where it may be {off[1]} of {pixels[1]}")
+    print(f"{count} scenes, {sum(pixels)} pixels, equal in double and through trees. Off by more than 1/255 in float: "
+          f"{off[0]} of {pixels[0]} pixels, and where it may be {off[1]} of {pixels[1]}")
     print(f"{passed} passed, {count - passed} failed")
     return passed < count
 

@@ -1,6 +1,7 @@
-"""Valid random scenes that use every feature of the format. The same seed gives the same scene. Half of them are snapped to
-a coarse lattice, where rays meet edges, vertices and shadow edges exactly, faces share a plane or lie on one another, and
-lights and cameras are in the planes of faces. To use a new key of the format, add it where its object is made."""
+"""Valid random scenes that use every feature of the format. The same seed gives the same scene. Half of them are
+snapped to a coarse lattice, where rays meet edges, vertices and shadow edges exactly, faces share a plane or lie on one
+another, and lights and cameras are in the planes of faces. To use a new key of the format, add it where its object is
+made."""
 import json
 import math
 import random
@@ -29,7 +30,8 @@ class Spelling:
 
     def write(self, value):
         if isinstance(value, dict):
-            members = [self.string(key) + self.gap() + ":" + self.gap() + self.write(item) for key, item in value.items()]
+            members = [self.string(key) + self.gap() + ":" + self.gap() + self.write(item)
+                       for key, item in value.items()]
             return "{" + self.gap() + ("," + self.gap()).join(members) + self.gap() + "}"
         if isinstance(value, (list, tuple)):
             return "[" + self.gap() + ("," + self.gap()).join(map(self.write, value)) + self.gap() + "]"
@@ -57,9 +59,13 @@ class Generator:
         self.snapped = self.rng.random() < 0.5
         self.extreme = self.rng.random() < 0.06 # numbers up to the format's limits, too large for a float's precision
         self.adaptive = False
-        self.tied = False # two faces lie on one another, but list their vertices in another order: then t is equal but for rounding
-        self.scale = self.rng.choice([1e-9, 1e-6, 1, 1e6, 1e9] if self.extreme else [1, 1, 1, 1, 1000, 0.125, 1e-3, 7.3e4])
-        self.offset = [self.scale * self.rng.choice([1e3, -1e5, 1e6]) for _ in range(3)] if self.chance(0.15) else [0, 0, 0]
+        # two faces lie on one another, but list their vertices in another order: then t is equal but for rounding
+        self.tied = False
+        self.scale = self.rng.choice([1e-9, 1e-6, 1, 1e6, 1e9] if self.extreme
+                                     else [1, 1, 1, 1, 1000, 0.125, 1e-3, 7.3e4])
+        self.offset = [0, 0, 0]
+        if self.chance(0.15):
+            self.offset = [self.scale * self.rng.choice([1e3, -1e5, 1e6]) for _ in range(3)]
 
     # --- Numbers ---
 
@@ -72,7 +78,9 @@ class Generator:
 
     def coordinate(self, size=3.0):
         if self.snapped:
-            return self.rng.randint(-int(4 * size), int(4 * size)) / 4 if self.chance(0.3) else self.rng.randint(-int(size), int(size))
+            if self.chance(0.3):
+                return self.rng.randint(-int(4 * size), int(4 * size)) / 4
+            return self.rng.randint(-int(size), int(size))
         return self.rng.uniform(-size, size)
 
     def vector(self, size=3.0):
@@ -102,10 +110,12 @@ class Generator:
             return [self.rng.choice([0, 1e18, self.power(-320, -300), self.power(-18, 18)]) for _ in range(3)]
         if self.chance(0.2):
             return [self.rng.choice([0, most, most / 2])] * 3
-        return [self.rng.choice([0, 1, round(self.rng.uniform(0, most), 2), self.rng.uniform(0, most)]) for _ in range(3)]
+        return [self.rng.choice([0, 1, round(self.rng.uniform(0, most), 2), self.rng.uniform(0, most)])
+                for _ in range(3)]
 
     def word(self):
-        return self.rng.choice(["pink", "a", "wall", "light grey", "é", "日本", "\"quoted\"", "\\", "x/y", "\U0001f600", ""]) + str(self.rng.randint(0, 99))
+        words = ["pink", "a", "wall", "light grey", "é", "日本", "\"quoted\"", "\\", "x/y", "\U0001f600", ""]
+        return self.rng.choice(words) + str(self.rng.randint(0, 99))
 
     def commented(self, members):
         """The members with a comment now and then, in any order."""
@@ -122,14 +132,16 @@ class Generator:
         while True:
             position, look_at = self.rng.choice([self.vector(3), [0, 0, 5], self.vector(6)]), self.vector(1)
             view, up = combine((1, look_at), (-1, position)), self.rng.choice([None, None, self.vector(2), [0, 0, 1]])
-            if length(view) > 0.1 and length(cross(view, up or [0, 1, 0])) > 0.01 * length(view) * length(up or [0, 1, 0]) > 0:
+            used = up or [0, 1, 0]
+            if length(view) > 0.1 and length(cross(view, used)) > 0.01 * length(view) * length(used) > 0:
                 break
         self.eye = position
         camera = {"position": self.place(position), "look_at": self.place(look_at)}
         return self.commented(camera | ({"up": up} if up else {}))
 
     def screen(self):
-        columns, rows = self.rng.choice([(24, 18), (24, 18), (16, 16), (31, 17), (1, 40), (40, 1), (7, 5), (33, 9), (3, 150), (61, 47)])
+        columns, rows = self.rng.choice([(24, 18), (24, 18), (16, 16), (31, 17), (1, 40), (40, 1), (7, 5), (33, 9),
+                                         (3, 150), (61, 47)])
         screen = {"columns": columns, "rows": rows, "width": self.rng.choice([0.5, 1])}
         for key in ("distance", "width", "height"):
             if self.chance(0.3):
@@ -165,7 +177,8 @@ class Generator:
         if self.chance(0.3):
             return [corner, combine((1, corner), (1, a)), combine((1, corner), (1, b))]
         s, t = self.rng.choice([(1, 1), (1, 1), (0.5, 1), (0.75, 0.75), (2, 1)])
-        return [corner, combine((1, corner), (1, a)), combine((1, corner), (s, a), (t, b)), combine((1, corner), (1, b))]
+        return [corner, combine((1, corner), (1, a)), combine((1, corner), (s, a), (t, b)),
+                combine((1, corner), (1, b))]
 
     def mesh_of_faces(self):
         """Faces that have nothing to do with one another, or lie on one another."""
@@ -216,7 +229,8 @@ class Generator:
         return steps
 
     def model(self, vertices, faces, own_material):
-        """Writes an OBJ and its library; the names of some materials are nowhere, where the object has one of its own."""
+        """Writes an OBJ and its library; the names of some materials are nowhere, where the object has one of its
+        own."""
         names = list(self.materials) + ["brick", "glass bead"] + (["nowhere"] if own_material else [])
         names = [name for name in names if name.strip() == name and name]
         lines, end = ["# a model"], self.rng.choice(["\n", "\r\n"])
@@ -235,7 +249,8 @@ class Generator:
             lines.append("f " + " ".join(form.format(i - len(vertices) if back else i + 1) for i in face))
         self.files[self.name + ".obj"] = end.join(lines) + (end if self.chance(0.8) else "")
         self.files[self.name + ".mtl"] = end.join([
-            "newmtl brick", "Ka 0.1 0.05 0", "Kd 0.7 0.3 0.1", "newmtl glass bead", "Kd 0.1 0.1 0.1", "Ks 1 1 1", "Ns 120", "d 1"])
+            "newmtl brick", "Ka 0.1 0.05 0", "Kd 0.7 0.3 0.1", "newmtl glass bead", "Kd 0.1 0.1 0.1", "Ks 1 1 1",
+            "Ns 120", "d 1"])
 
     def room(self):
         """Walls around all, or a floor below; the camera may be in one."""
@@ -261,7 +276,8 @@ class Generator:
             size = [abs(x) or 1 for x in self.edge(2)]
             thing["box"] = {"min": low, "max": combine((1, low), (1, [max(s, 0.1) for s in size]))}
         else:
-            vertices, faces = {"faces": self.mesh_of_faces, "sheet": self.mesh_of_sheet, "twisted": self.mesh_of_twisted,
+            vertices, faces = {"faces": self.mesh_of_faces, "sheet": self.mesh_of_sheet,
+                               "twisted": self.mesh_of_twisted,
                                "obj": self.rng.choice([self.mesh_of_faces, self.mesh_of_sheet])}[kind]()
             if kind == "obj" and self.name + ".obj" not in self.files:
                 self.model(vertices, faces, own_material)
@@ -284,7 +300,8 @@ class Generator:
 
     def shading(self):
         shading = {}
-        for key, choices in (("shadow", ["black", "ambient"]), ("viewer", ["camera", "ray"]), ("max_bounces", [0, 1, 2, 5, 8, 64])):
+        for key, choices in (("shadow", ["black", "ambient"]), ("viewer", ["camera", "ray"]),
+                             ("max_bounces", [0, 1, 2, 5, 8, 64])):
             if self.chance(0.6):
                 shading[key] = self.rng.choice(choices)
         if self.chance(0.4):

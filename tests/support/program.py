@@ -44,7 +44,8 @@ def png_pixels(data):
         for i in range(stride):
             left, up, corner = (line[i - 3], above[i], above[i - 3]) if i >= 3 else (0, above[i], 0)
             estimate = left + up - corner
-            paeth = min((abs(estimate - left), 0, left), (abs(estimate - up), 1, up), (abs(estimate - corner), 2, corner))[2]
+            paeth = min((abs(estimate - left), 0, left), (abs(estimate - up), 1, up),
+                        (abs(estimate - corner), 2, corner))[2]
             line[i] = (line[i] + (0, left, up, (left + up) // 2, paeth)[kind]) % 256
         picture.append([tuple(line[i:i + 3]) for i in range(0, stride, 3)])
         above = line
