@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Do the pages name what is there? Files, functions, links with their anchors, and drawings of docs/*.md and README.md.
+
+In a page write `function` in `src/folder/file.c`; the names of several functions may stand before one file."""
+import glob
+import os
+import re
+import sys
+import unittest
+
+PAGES = ["README.md", *sorted(glob.glob("docs/*.md"))]
+CODE = ["Makefile", *glob.glob("src/**/*.[ch]", recursive=True), *glob.glob("kernels/**/*.*", recursive=True)]
+PATH = r"(?:src|kernels|tests|docs|scenes)/[\w./-]+"
+sys.path.insert(0, "docs/plots")
+sys.dont_write_bytecode = True
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def prose(page):
+    """The page without its blocks of output and code."""
+    return re.sub(r"^```.*?^```$", "", read(page), flags=re.M | re.S)
+
+
+def anchors_of(page):
+    """Those that are written out, and those that GitHub makes of headings: small letters, hyphens for spaces."""
+    headings = re.findall(r"(?m)^#+ (.*)$", prose(page))
+    made = [re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings]
+    return {*made, *re.findall(r'<a id="([^"]+)">', prose(page))}
+
+
+def links_of(page):
+    return re.findall(r"\]\(([^)\s]+)\)", prose(page))
+
+
+def named_in(page):
+    """Pairs of a name and the file that it is said to be in: `one`, `two` in `src/file.c`."""
+    for names, path in re.findall(rf"((?:`\w+`(?:,\s+|\s+and\s+)?)+)\s+in\s+`({PATH}\.(?:c|h|cl|py))`", prose(page)):
+        for name in re.findall(r"`(\w+)`", names):
+            yield name, path
+
+
+def is_defined(name, text):
+    """As a function, in a header too; as a macro; or as a type."""
+    forms = rf"\w[^\n;=]*\b{name}\(", rf"#define {name}\b", rf"(?:typedef )?(?:struct|enum) {name}\b", rf"}} {name};"
+    return any(re.search("^" + form, text, re.M) for form in forms)
+
+
+class Pages(unittest.TestCase):
+    def test_there_are_some(self):
+        self.assertGreater(len(PAGES), 8)
+
+    def test_links_lead_somewhere(self):
+        for page in PAGES:
+            for link in links_of(page):
+                if re.match(r"[a-z]+:", link):
+                    continue
+                with self.subTest(page=page, link=link):
+                    path, _, anchor = link.partition("#")
+                    target = os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page
+                    self.assertTrue(os.path.exists(target), f"{page}: {link}: no such file")
+                    if anchor:
+                        self.assertIn(anchor, anchors_of(target), f"{page}: {link}: no such heading")
+
+    def test_files_that_they_name_are_there(self):
+        for page in PAGES:
+            for path in re.findall(rf"`({PATH})`", prose(page)):
+                if "NAME" not in path:  # a path with NAME in it stands for many
+                    with self.subTest(page=page, path=path):
+                        self.assertTrue(os.path.exists(path), f"{page}: {path}: no such file")
+
+    def test_functions_that_they_name_are_there(self):
+        found = 0
+        for page in PAGES:
+            for name, path in named_in(page):
+                found += 1
+                with self.subTest(page=page, name=name, path=path):
+                    self.assertTrue(os.path.exists(path), f"{page}: {path}: no such file")
+                    self.assertTrue(is_defined(name, read(path)), f"{page}: {name} is not defined in {path}")
+        self.assertGreater(found, 50)
+
+
+class Comments(unittest.TestCase):
+    def test_pages_that_the_code_names_are_there(self):
+        found = 0
+        for path in CODE:
+            for page, section in re.findall(r"(docs/[\w.-]+\.md)(?:, section (\d+))?", read(path)):
+                found += 1
+                with self.subTest(path=path, page=page):
+                    self.assertTrue(os.path.exists(page), f"{path}: {page}: no such page")
+                    if section:
+                        self.assertRegex(read(page), rf"(?m)^## {section}\. ", f"{path}: {page}: no section {section}")
+        self.assertGreater(found, 5)
+
+
+class Drawings(unittest.TestCase):
+    def test_each_is_what_its_script_draws(self):
+        import algorithm
+        import drawing
+        for name, draw in algorithm.DRAWINGS.items():
+            with self.subTest(name):
+                path = drawing.path_of("algorithm", name)
+                self.assertEqual(read(path), draw().svg(), f"`python3 docs/plots/algorithm.py` renews {path}")
+
+    def test_each_is_on_the_page(self):
+        shown = set(links_of("docs/algorithm.md"))
+        drawn = {os.path.relpath(path, "docs") for path in glob.glob("docs/images/algorithm-*.svg")}
+        self.assertGreater(len(drawn), 5)
+        self.assertEqual(drawn - shown, set())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
