@@ -83,6 +83,14 @@ class Pages(unittest.TestCase):
         self.assertGreater(found, 50)
 
 
+class Examples(unittest.TestCase):
+    def test_numbers_of_the_algorithm_are_those_of_the_walkthrough(self):
+        blocks = "".join(re.findall(r"(?ms)^```text\n(.*?)^```", read("docs/algorithm.md")))
+        numbers = re.findall(r"\d+\.\d{4,}", blocks)
+        self.assertGreater(len(numbers), 30)
+        self.assertEqual(set(numbers) - set(re.findall(r"\d+\.\d+", read("docs/walkthrough.md"))), set())
+
+
 class Comments(unittest.TestCase):
     def test_pages_that_the_code_names_are_there(self):
         found = 0
