@@ -94,6 +94,11 @@ class Architecture(unittest.TestCase):
         for top, floors in FLOORS.items():
             self.assertEqual(sorted({folder_of(name) for name in sources(top)} | {""}), sorted(floors))
 
+    def test_page_names_the_folders_in_their_order(self):
+        for top, floors in FLOORS.items():
+            section = PAGE.split(f"## The floors of `{top}/`")[1].split("\n## ")[0]
+            self.assertEqual(re.findall(r"^\| `(\w+)/` \|", section, re.M), [folder for folder in floors if folder])
+
     def test_no_file_includes_from_a_folder_above_its_own(self):
         for top, floors in FLOORS.items():
             for name, included in sources(top).items():
