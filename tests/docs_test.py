@@ -115,11 +115,15 @@ class Drawings(unittest.TestCase):
                 path = drawing.path_of("algorithm", name)
                 self.assertEqual(read(path), draw().svg(), f"`python3 docs/plots/algorithm.py` renews {path}")
 
-    def test_each_is_on_the_page(self):
-        shown = set(links_of("docs/algorithm.md"))
-        drawn = {os.path.relpath(path, "docs") for path in glob.glob("docs/images/algorithm-*.svg")}
-        self.assertGreater(len(drawn), 5)
-        self.assertEqual(drawn - shown, set())
+    def test_each_is_on_its_page_and_small(self):
+        for page in ("algorithm", "kernels"):
+            shown = set(links_of(f"docs/{page}.md"))
+            drawn = glob.glob(f"docs/images/{page}-*.svg")
+            self.assertGreater(len(drawn), 5)
+            for path in drawn:
+                with self.subTest(path):
+                    self.assertIn(os.path.relpath(path, "docs"), shown)
+                    self.assertLess(os.path.getsize(path), 8192)
 
 
 if __name__ == "__main__":
