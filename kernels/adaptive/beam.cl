@@ -1,10 +1,14 @@
 /* Beams against faces, for adaptive sampling: all rays of a pixel at once, each lane of each packet another pixel. What
  * src/beam.c and src/beam_query.c say, with the same operations in the same order. The pixels of a group see the same faces in
  * the same order, so that their beams share all but the middle direction c, and nearly all that is asked of a face is scalar. */
-#include "packet/world.cl"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
+#include "shared/precision.cl"
+#include "packet/faces.cl"
 #include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "packet/planes.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 
 /* Relative to the magnitudes in a value, more than all rounding: of what is computed in wide; what real adds to that. */
 #if REAL_DOUBLE || HAS_DOUBLE

@@ -1,10 +1,8 @@
 /* Which faces a beam meets, of all that there are. */
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/compiler.cl"
 #include "packet/world.cl"
-#include "packet/shade.cl"
-#include "adaptive/group_beam.cl"
 #include "adaptive/beam_query.cl"
+#include "adaptive/group_beam.cl"
 
 NOINLINE void traverse_beam(const World *world, BeamQuery *q)
 {

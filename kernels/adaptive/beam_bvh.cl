@@ -1,13 +1,11 @@
 /* Which faces a beam meets, in the leaves of a bounding volume hierarchy. */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "packet/lanes.cl"
-#include "packet/geometry.cl"
 #include "packet/world.cl"
-#include "packet/accel.cl"
-#include "packet/shade.cl"
-#include "adaptive/group_beam.cl"
-#include "adaptive/beam_query.cl"
 #include "adaptive/beam_cuts.cl"
+#include "adaptive/beam_query.cl"
+#include "adaptive/group_beam.cl"
 
 /* The boxes, side by side, that no cut leaves out. `planes` holds low x, high x, low y, ... of each. */
 INLINE uint boxes_left(const Cuts *cuts, global const float *planes)

@@ -1,11 +1,11 @@
 /* Planes that bound where a beam looks for faces: what lies beyond one of them is left out. */
-#include "packet/world.cl"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/compiler.cl"
+#include "shared/precision.cl"
 #include "packet/accel.cl"
+#include "packet/world.cl"
 #include "adaptive/beam.cl"
-#include "adaptive/group_beam.cl"
 #include "adaptive/beam_query.cl"
+#include "adaptive/group_beam.cl"
 
 /* Planes, on the positive side of which nothing is wanted: w.x > limit. They are the sides of the whole beam, and the planes
  * between which faces are wanted. */

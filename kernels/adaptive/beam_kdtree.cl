@@ -1,14 +1,13 @@
 /* Which faces a beam meets, in the leaves of a k-d tree. */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
+#include "shared/precision.cl"
 #include "packet/lanes.cl"
-#include "packet/geometry.cl"
-#include "packet/world.cl"
-#include "packet/accel.cl"
 #include "packet/tree.cl"
-#include "packet/shade.cl"
-#include "adaptive/group_beam.cl"
-#include "adaptive/beam_query.cl"
+#include "packet/world.cl"
 #include "adaptive/beam_cuts.cl"
+#include "adaptive/beam_query.cl"
+#include "adaptive/group_beam.cl"
 
 typedef struct KdBox {
     int node;

@@ -1,8 +1,10 @@
 /* Which faces a beam meets on its way: all are asked, or those of a tree. What src/beam_query.c says, for all beams of a group at
  * once. */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
+#include "shared/precision.cl"
+#include "packet/faces.cl"
 #include "packet/lanes.cl"
-#include "packet/geometry.cl"
 #include "packet/world.cl"
 #include "adaptive/beam.cl"
 #include "adaptive/group_beam.cl"

@@ -1,13 +1,12 @@
 /* One beam that holds those of a whole group of pixels. What it is clear of, the reference finds each pixel clear of: the slacks
  * are more than all doubts there and all rounding here, though less than beam.cl's for a lane in float. Nearly all faces and
  * boxes are left out here, in real, all edges or corners at once. */
-#include "packet/world.cl"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
 #include "packet/apex.cl"
-#include "packet/search.cl"
-#include "packet/shade.cl"
+#include "packet/faces.cl"
+#include "packet/world.cl"
 #include "adaptive/beam.cl"
 
 /* In the beam's terms a point p from the apex is l (c + a u + b v); but for a positive factor, l a, l b and l are linear in p. */

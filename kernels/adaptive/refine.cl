@@ -1,17 +1,19 @@
 /* Adaptive sampling renders in two steps: the centres of all pixels, judged by adaptive.cl; then a lattice of samples for those
  * pixels that a centre does not tell. Built only where adaptive sampling is asked for. */
 #define ADAPTIVE 1 /* paths keep their trails */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
 #include "packet/apex.cl"
-#include "packet/world.cl"
-#include "packet/accel.cl"
-#include "packet/tree.cl"
-#include "packet/shade.cl"
 #include "packet/camera.cl"
-#include "packet/picture.cl"
+#include "packet/lanes.cl"
 #include "packet/paths.cl"
+#include "packet/picture.cl"
+#include "packet/rays.cl"
+#include "packet/trace.cl"
+#include "packet/tree.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 #include "adaptive/adaptive.cl"
 
 /* The directions R = Q - C to sub-pixels (i, j) of the pixels at (column, row), lane by lane: see view_direction in

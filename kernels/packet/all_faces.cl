@@ -1,9 +1,10 @@
 /* No tree: one leaf with all faces. */
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/compiler.cl"
+#include "shared/precision.cl"
 #include "packet/apex.cl"
+#include "packet/lanes.cl"
+#include "packet/rays.cl"
 #include "packet/world.cl"
-#include "packet/accel.cl"
 
 typedef int Stack;
 typedef int RayBounds;

@@ -3,9 +3,12 @@
  * one sign, without a hit point: three multiplications an edge. Its depth is as cheap, as 1/t = N.R / N.(v[0] - A).
  * What is within the error bounds of either is settled by geometry.cl and exact.cl.
  * docs/algorithm.md derives the bounds. */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
+#include "shared/precision.cl"
+#include "packet/faces.cl"
 #include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "packet/vectors.cl"
 
 typedef struct Apex {
     real x, y, z;

@@ -1,13 +1,13 @@
 /* A walk through a bounding volume hierarchy whose nodes have NODE_WIDTH children, tested LANES at a time.
  * Tree.floats holds, per node, 6 planes (low x, high x, low y, ...) of all children, Tree.ints the children: see NO_CHILD and
  * LEAF in layout.h. The device has the faces in the order of the leaves. */
-#include "shared/skips.h"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
+#include "shared/precision.cl"
+#include "shared/skips.h"
 #include "packet/lanes.cl"
-#include "packet/geometry.cl"
-#include "packet/world.cl"
-#include "packet/accel.cl"
 #include "packet/ray_bounds.cl"
+#include "packet/world.cl"
 
 /* Nodes to visit, the nearest on top. */
 typedef struct Stack {

@@ -1,10 +1,12 @@
 /* Pixels, packets of them, tiles of packets, and the rays through them. */
-#include "packet/world.cl"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
 #include "packet/apex.cl"
-#include "packet/shade.cl"
+#include "packet/faces.cl"
+#include "packet/lanes.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 
 /* A packet is PACKET_COLUMNS x PACKET_ROWS = LANES pixels; a tile, whose rays are searched together, is PACKETS of them,
  * PACKETS_ACROSS side by side, as the host's build options say. */

@@ -1,11 +1,12 @@
 /* The kernel `cast`, which intersects a list of rays. Built only where that is asked for. */
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
+#include "packet/any_rays.cl"
 #include "packet/intersect.cl"
+#include "packet/lanes.cl"
+#include "packet/rays.cl"
+#include "packet/vectors.cl"
 #include "packet/world.cl"
-#include "packet/accel.cl"
-#include "packet/search.cl"
 
 /* rays: ray_count x (origin, direction); hits_face, hits_t: one per ray, -1 and 0 for a miss. LANES rays per work-item. */
 kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,

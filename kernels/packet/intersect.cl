@@ -1,11 +1,18 @@
 /* The two questions that a ray asks a scene: which face is nearest, and is anything between here and the light.
  * Here is what one face answers; in which order faces are asked is the business of walk.cl. Each question has two forms: one
  * for any rays, exact, and a fast one for rays from an apex, which leaves to the first what it is not sure of. */
-#include "packet/world.cl"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
 #include "packet/apex.cl"
+#include "packet/box.cl"
+#include "packet/edges.cl"
+#include "packet/faces.cl"
+#include "packet/lanes.cl"
+#include "packet/planes.cl"
+#include "packet/rays.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 
 /* --- Any rays, exactly --- */
 

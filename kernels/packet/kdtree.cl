@@ -1,12 +1,13 @@
 /* A walk through a k-d tree: a plane cuts what is left of the bundle into the part on its low side and the part on its high
  * side. Tree.floats holds the box of the whole tree (6 planes: low x, high x, low y, ...), then each node's plane.
  * Tree.ints holds the place of the list of faces, then KD_INTS numbers for each node, then that list. */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
-#include "packet/world.cl"
+#include "shared/precision.cl"
 #include "packet/accel.cl"
+#include "packet/lanes.cl"
 #include "packet/ray_bounds.cl"
+#include "packet/world.cl"
 
 /* Parts of the bundle's way still to be walked, the nearest on top. */
 typedef struct Stack {

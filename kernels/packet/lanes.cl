@@ -1,27 +1,8 @@
 /* Lanes: LANES rays side by side in vector registers, one work-item for all of them.
  * LANES (1, 4, 8, 16) is a build option; one source serves them all. A CPU wants as many lanes as its registers hold, since
  * its compiler does not vectorise loops that differ between rays; a GPU wants 1. */
+#include "shared/compiler.cl"
 #include "shared/precision.cl"
-
-/* Is that work left out where a scene does not need it? p: the Parameters. */
-#define MAY_SKIP(p, skip) (!((p)->no_skip >> (skip) & 1))
-
-/* Asks for cache lines ahead of their use. */
-INLINE void fetch(global const void *p, uint bytes)
-{
-#if __has_builtin(__builtin_prefetch) && LANES > 1
-    for (uint i = 0; i < bytes; i += 64)
-        __builtin_prefetch((const void *)((size_t)p + i));
-#endif
-}
-
-/* What is read from memory at every use: the compiler would make a vector of each value before a loop, more than there are
- * registers, and read those from memory instead. */
-#if LANES > 1
-#define REREAD volatile
-#else
-#define REREAD
-#endif
 
 /* One work-item holds PACKETS packets of LANES rays. Not unrolled: their code is long. */
 #define EACH_OF(p, count) __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < (count); p++)
@@ -128,80 +109,7 @@ INLINE Mask lane_numbers(void)
 #define GREATER(a, b) ((a) > (b) ? (a) : (b))
 #define FMA(a, b, c) fma((Lanes)(a), (Lanes)(b), (Lanes)(c))
 
-typedef struct Vec {
-    Lanes x, y, z;
-} Vec;
-
-typedef struct WideVec {
-    Wide x, y, z;
-} WideVec;
-
-static Vec vec(Lanes x, Lanes y, Lanes z)
-{
-    Vec v = {x, y, z};
-    return v;
-}
-
-static Vec vec_row(global const real *row) { return vec((Lanes)row[0], (Lanes)row[1], (Lanes)row[2]); }
-static Vec vec_add(Vec a, Vec b) { return vec(a.x + b.x, a.y + b.y, a.z + b.z); }
-static Vec vec_sub(Vec a, Vec b) { return vec(a.x - b.x, a.y - b.y, a.z - b.z); }
-static Vec vec_scale(Lanes s, Vec a) { return vec(s * a.x, s * a.y, s * a.z); }
-static Vec vec_multiply(Vec a, Vec b) { return vec(a.x * b.x, a.y * b.y, a.z * b.z); }
-static Lanes vec_dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static Lanes vec_magnitudes(Vec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
-static Lanes vec_largest(Vec a) { return GREATER(GREATER(fabs(a.x), fabs(a.y)), fabs(a.z)); }
-static Vec vec_select(Mask mask, Vec a, Vec b) { return vec(mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z); }
-
-static Vec vec_cross(Vec a, Vec b)
-{
-    return vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
-
-/* a / |a|; a zero vector stays zero. In double as the reference does it, in float with one division instead of three. */
-static Vec vec_unit(Vec a)
-{
-    Lanes squared = vec_dot(a, a);
-    Lanes length = squared > (Lanes)0 ? sqrt(squared) : (Lanes)1;
-#if REAL_DOUBLE
-    return vec(a.x / length, a.y / length, a.z / length);
-#else
-    return vec_scale(1 / length, a);
-#endif
-}
-
-static WideVec wide_vec(Wide x, Wide y, Wide z)
-{
-    WideVec v = {x, y, z};
-    return v;
-}
-
-static WideVec wide_add(WideVec a, WideVec b) { return wide_vec(a.x + b.x, a.y + b.y, a.z + b.z); }
-static WideVec wide_sub(WideVec a, WideVec b) { return wide_vec(a.x - b.x, a.y - b.y, a.z - b.z); }
-static WideVec wide_scale(Wide s, WideVec a) { return wide_vec(s * a.x, s * a.y, s * a.z); }
-static Wide wide_dot(WideVec a, WideVec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static Wide wide_magnitudes(WideVec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
-
-static WideVec wide_unit(WideVec a)
-{
-    Wide length = sqrt(wide_dot(a, a));
-#if REAL_DOUBLE
-    return wide_vec(a.x / length, a.y / length, a.z / length);
-#else
-    return wide_scale(1 / length, a);
-#endif
-}
-
-static WideVec wide_select(WideMask mask, WideVec a, WideVec b)
-{
-    return wide_vec(mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z);
-}
-
-static Vec vec_to_real(WideVec a) { return vec(TO_REAL(a.x), TO_REAL(a.y), TO_REAL(a.z)); }
-
 /* A mask as bits, lane 0 the lowest. One instruction where the processor has it. */
-#ifndef __has_builtin
-#define __has_builtin(x) 0
-#endif
 #if defined(__AVX512DQ__) && __has_builtin(__builtin_ia32_cvtd2mask512) && __has_builtin(__builtin_ia32_cvtq2mask512)
 #define HAS_MOVEMASK 1
 #endif
@@ -234,15 +142,6 @@ static uint mask_count(Mask mask) { return popcount(mask_bits(mask)); }
 /* The number of the lowest bit that is set; there is one. */
 static int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
 
-static wide first_wide(Wide x)
-{
-#if LANES == 1
-    return x;
-#else
-    return x.s0;
-#endif
-}
-
 /* The number in the first lane that is set in the mask. */
 static int first_of(Mask numbers, Mask mask)
 {
@@ -268,4 +167,12 @@ static real lanes_lowest(Lanes x)
     PASTE(real, 2) x2 = LESSER(x4.lo, x4.hi);
     return LESSER(x2.x, x2.y);
 #endif
+}
+
+INLINE bool any_packet(const Mask *masks)
+{
+    Mask any = masks[0];
+    for (int p = 1; p < PACKETS; p++)
+        any |= masks[p];
+    return ANY(any);
 }

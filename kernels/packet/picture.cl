@@ -1,8 +1,11 @@
 /* Which pixels of a tile there are, and how their colours come into the picture. */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/shade.cl"
+#include "shared/precision.cl"
+#include "packet/bytes.cl"
 #include "packet/camera.cl"
+#include "packet/lanes.cl"
+#include "packet/vectors.cl"
 
 /* Which pixels of packet k of the tile are in the band. */
 INLINE Mask pixels_inside(constant const Parameters *p, int first_column, int first_row, int k)
@@ -43,13 +46,6 @@ INLINE void store_packet(global uchar *picture, constant const Parameters *p, in
     }
 }
 #else
-INLINE uchar value_to_byte(real c)
-{
-    c = c > 0 ? c : 0;
-    c = c < 1 ? c : 1;
-    return (uchar)((real)255 * c + (real)0.5);
-}
-
 static void store_pixel(global uchar *rgb, int place, real red, real green, real blue)
 {
     global uchar *out = rgb + (size_t)place * 3;

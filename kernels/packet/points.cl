@@ -1,10 +1,15 @@
 /* Where rays meet their nearest faces, and the points shifted off them, in `wide`. A point is told when it is asked for: most
  * points serve shading alone, for which shade.cl has a sketch. */
-#include "packet/world.cl"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
+#include "packet/faces.cl"
 #include "packet/intersect.cl"
+#include "packet/lanes.cl"
+#include "packet/planes.cl"
+#include "packet/rays.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 
 /* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */
 static WideVec point_shifted(const World *world, int face, const PlaneRow *plane, WideVec n, WideMask with_normal,

@@ -1,5 +1,7 @@
 /* Powers, for highlights: in float 2^(y log2 x), by the polynomials of least relative error that Remez' algorithm gives (Muller,
  * "Elementary Functions", third edition, chapter 3). PoCL 3.1's log2 fetches a table's entries lane by lane. */
+#include "shared/compiler.cl"
+#include "shared/precision.cl"
 #include "packet/lanes.cl"
 
 #if !REAL_DOUBLE

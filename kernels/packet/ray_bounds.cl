@@ -1,11 +1,14 @@
 /* Bundles of rays, for the trees: what bounds all of them on each axis, and where they may be between two planes.
  * A bundle visits a box when the intervals of its origins and directions allow some ray of it to meet the box
  * (interval traversal: Boulos, Wald, Benthin, "Adaptive Ray Packet Reordering", 2008, section 3). */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
-#include "packet/apex.cl"
+#include "shared/precision.cl"
 #include "packet/accel.cl"
+#include "packet/apex.cl"
+#include "packet/lanes.cl"
+#include "packet/rays.cl"
+#include "packet/vectors.cl"
 
 /* What bounds all rays of a bundle on one axis, the directions scaled to a largest component of 1. */
 typedef struct Slab {

@@ -1,16 +1,21 @@
 /* What a hit looks like: the point, its lights, its colour. The lanes of a packet mostly meet few faces, so
  * what belongs to a face is fetched once per face and blended into its lanes. */
-#include "shared/skips.h"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
+#include "shared/skips.h"
 #include "packet/apex.cl"
+#include "packet/approx.cl"
+#include "packet/faces.cl"
 #include "packet/intersect.cl"
+#include "packet/lanes.cl"
+#include "packet/light.cl"
+#include "packet/paths.cl"
+#include "packet/planes.cl"
 #include "packet/points.cl"
+#include "packet/shadow.cl"
+#include "packet/vectors.cl"
 #include "packet/world.cl"
-#include "packet/accel.cl"
-#include "packet/search.cl"
-#include "packet/power.cl"
 
 typedef struct Surface {
     Vec normal; /* on the ray's side */
@@ -19,67 +24,6 @@ typedef struct Surface {
     int only;          /* the face of all active lanes; -1: they have several */
     int only_material; /* the same of materials */
 } Surface;
-
-/* The rays of a packet on their way, and what they have brought so far. */
-typedef struct Path {
-    WideVec apex; /* the image of the eye in the mirrors so far, from which the rays seem to come */
-    Mask active, left;
-    Vec total;
-    Lanes weight;
-} Path;
-
-/* Where rays meet their faces as float can tell it: from their apex, so that it does not matter how far from 0 the scene lies.
- * It serves shading, and shadow rays, where its error is a small enough share of the distance to the light and to the viewer. */
-#define HAS_APPROX (!PLAIN_IS_POOR)
-#define APPROX_MOST ((real)0x1p-14f)
-
-typedef struct ApproxPoint {
-    Vec from_apex;
-    Lanes error;  /* the point is not farther from the exact one */
-    Lanes length; /* of the ray's direction */
-} ApproxPoint;
-
-/* N.(v0 - A), t's numerator, which has no error worth mentioning; of a face seen from one apex, and from each lane's. */
-INLINE real approx_height(const World *world, int face, const wide *apex)
-{
-    global const wide *n = world->planes + (size_t)face * PLANE_REALS;
-    global const real *v = face_row(world, face) + FACE_VERTICES;
-    return (real)(n[0] * (v[0] - apex[0]) + n[1] * (v[4] - apex[1]) + n[2] * (v[8] - apex[2]));
-}
-
-INLINE Lanes approx_heights(const World *world, int face, WideVec apex)
-{
-    global const wide *n = world->planes + (size_t)face * PLANE_REALS;
-    global const real *v = face_row(world, face) + FACE_VERTICES;
-    return TO_REAL(n[0] * ((wide)v[0] - apex.x) + n[1] * ((wide)v[4] - apex.y) + n[2] * ((wide)v[8] - apex.z));
-}
-
-INLINE real vertex_magnitudes(const World *world, int face)
-{
-    global const real *v = face_row(world, face) + FACE_VERTICES;
-    return fabs(v[0]) + fabs(v[4]) + fabs(v[8]);
-}
-
-/* How far t R may be off, for R of that length. */
-#define APPROX_ERROR(t, length, per_approach, off) (((8 * REAL_ROUNDING) * (t) * (length) + (off)) * (1 + (length) * (per_approach)))
-
-/* height: N.(v0 - A), and how far it, and A, may be off; normal: N of the lanes' faces. Where rounding may decide the sign of
- * N.R, or that of t, there is no bound. */
-INLINE ApproxPoint approx_point(Vec ahead, Lanes height, Lanes off, Vec normal)
-{
-    ApproxPoint s;
-    Lanes approach = FMA(ahead.x, normal.x, FMA(ahead.y, normal.y, ahead.z * normal.z));
-    Lanes per_approach = 1 / approach, t = height * per_approach;
-    s.length = sqrt(vec_dot(ahead, ahead));
-    s.from_apex = vec_scale(t, ahead);
-    Mask sure = IS(t > (Lanes)0) & IS(fabs(approach) > (16 * REAL_ROUNDING) * s.length);
-    s.error = sure ? APPROX_ERROR(t, s.length, fabs(per_approach), off) : (Lanes)INFINITY;
-    return s;
-}
-
-/* How far an apex may be off after up to PATH_MAX mirrors, and a height over a plane, for coordinates of that sum of
- * magnitudes. */
-#define APPROX_OFF(magnitudes) ((real)0x1p-41f * (magnitudes) + (real)0x1p-52f)
 
 /* What the rays' nearest faces are made of, and the sketch of their points. apex: of all rays, or NULL: then of each. */
 INLINE void find_surface(const World *world, const Nearest *nearest, Mask active, Vec ahead, const wide *apex,
@@ -129,17 +73,6 @@ INLINE void find_surface(const World *world, const Nearest *nearest, Mask active
     surface->normal = vec_select(surface->with_normal, vec(-n.x, -n.y, -n.z), n);
 }
 
-/* From the points to a place that lies at `at`, told from the apex: unit vectors, and 1 / their length. False where the sketch
- * is too rough in some active lane. share: the sketch's error as a share of the length. */
-INLINE bool approx_towards(const ApproxPoint *approx, Vec at, Mask active, Vec *unit, Lanes *per_length, Lanes *share)
-{
-    Vec d = vec_sub(at, approx->from_apex);
-    *per_length = 1 / sqrt(vec_dot(d, d));
-    *unit = vec_scale(*per_length, d);
-    *share = (approx->error + 2 * REAL_ROUNDING * vec_largest(at)) * *per_length;
-    return !ANY(active & ~IS(*share <= (Lanes)APPROX_MOST));
-}
-
 /* On which side of the face that was asked last a light is: neighbours mostly ask for the same face. */
 typedef struct LightSide {
     int face;
@@ -170,77 +103,25 @@ static Mask faces_light(const World *world, const Surface *surface, const wide *
     return facing;
 }
 
-static Lanes at_least_zero(Lanes x) { return x > (Lanes)0 ? x : (Lanes)0; }
-
-/* The colour of a material in the light, row by row of their tables. */
-INLINE real3 coloured(global const real *material, global const real *light)
-{
-    return (real3)(material[0] * light[0], material[1] * light[1], material[2] * light[2]);
-}
-
-INLINE Vec scale_colour(Lanes s, real3 c) { return vec(s * c.x, s * c.y, s * c.z); }
-
-/* The terms of Blinn-Phong, as light.c has them, without their colours. */
-INLINE Lanes diffuse_of(Vec l, Vec normal) { return at_least_zero(vec_dot(l, normal)); }
-
-INLINE Lanes highlight_of(Vec l, Vec v, Vec normal, real exponent)
-{
-    return power(at_least_zero(vec_dot(normal, vec_unit(vec_add(l, v)))), exponent);
-}
-
-INLINE bool makes_highlight(const World *world, real3 colour)
-{
-    return !MAY_SKIP(world->parameters, SKIP_HIGHLIGHT) || colour.x != 0 || colour.y != 0 || colour.z != 0;
-}
-
 /* Ambient everywhere, the other two where the light reaches. The lanes of a packet mostly have one material. */
 INLINE Vec illuminate(const World *world, const Surface *surface, global const real *light, Vec l, Vec v,
                       Mask counted, Mask reaches)
 {
-    Lanes diffuse = diffuse_of(l, surface->normal);
     Vec colour = vec(0, 0, 0);
     for (Mask rest = counted; ANY(rest);) {
         int number = surface->only_material >= 0 ? surface->only_material : first_of(surface->material, rest);
         Mask here = rest & IS(surface->material == (Mask)number), lit = here & reaches;
         rest &= ~here;
-        global const real *material = world->materials + (size_t)number * MATERIAL_REALS;
-        real3 ambient = coloured(material + MATERIAL_AMBIENT, light + LIGHT_AMBIENT);
-        Vec sum = vec((Lanes)ambient.x, (Lanes)ambient.y, (Lanes)ambient.z);
+        LightTerms terms = light_terms(world, world->materials + (size_t)number * MATERIAL_REALS, light);
+        Vec sum = shine_in_shadow(&terms);
         if (ANY(lit)) {
-            Vec all = vec_add(sum, scale_colour(diffuse, coloured(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE)));
-            real3 shine = coloured(material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
-            if (makes_highlight(world, shine))
-                all = vec_add(all, scale_colour(highlight_of(l, v, surface->normal, material[MATERIAL_EXPONENT]), shine));
-            else
+            sum = vec_select(lit, shine(&terms, l, v, surface->normal), sum);
+            if (!terms.has_highlight)
                 world->counters[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(lit);
-            sum = vec_select(lit, all, sum);
         }
         colour = vec_select(here, sum, colour);
     }
     return colour;
-}
-
-INLINE void light_position(global const real *light, wide *position)
-{
-    for (int axis = 0; axis < 3; axis++)
-        position[axis] = (wide)light[LIGHT_POSITION + axis] + (wide)light[LIGHT_POSITION_LOW + axis];
-}
-
-/* Does it matter what a light reaches? Not if it has an ambient colour only, which counts in its shadow, too. */
-INLINE bool wants_light(const World *world, global const real *light)
-{
-    bool only_ambient = true;
-    for (int i = 0; i < 3; i++)
-        only_ambient &= light[LIGHT_DIFFUSE + i] == 0 && light[LIGHT_SPECULAR + i] == 0;
-    return !(MAY_SKIP(world->parameters, SKIP_LIGHT_AMBIENT) && world->parameters->shadow_ambient && only_ambient);
-}
-
-/* A place as it is told from the apex of each lane's ray. */
-INLINE Vec from_apexes(const wide *place, const wide *apex, const WideVec *apexes)
-{
-    if (apex)
-        return vec((Lanes)(real)(place[0] - apex[0]), (Lanes)(real)(place[1] - apex[1]), (Lanes)(real)(place[2] - apex[2]));
-    return vec(TO_REAL(place[0] - apexes->x), TO_REAL(place[1] - apexes->y), TO_REAL(place[2] - apexes->z));
 }
 
 /* Tells the shadow rays of packet p from the light: by the sketch, or else by the exact points. */
@@ -325,40 +206,4 @@ INLINE void shade(const World *world, const Surface *surfaces, const ApproxPoint
             colours[p] = vec_add(colours[p], sum);
         }
     }
-}
-
-/* floor(255 c + 0.5) of the clamped colour, as in light.c. */
-INLINE IntLanes colour_to_byte(Lanes c)
-{
-    c = c > (Lanes)0 ? c : (Lanes)0;
-    c = c < (Lanes)1 ? c : (Lanes)1;
-    return TO_INT((real)255 * c + (real)0.5); /* at least 0: cutting off is floor */
-}
-
-/* The lanes all of whose further hits together could not change a byte of the picture: those whose bytes are the same with the
- * most that can come, at that weight. That is known where a path is its pixel's only one. */
-INLINE Mask too_weak(const World *world, Vec total, Lanes weight)
-{
-#if defined(LINEAR) || ADAPTIVE
-    return (Mask)0;
-#else
-    if (!MAY_SKIP(world->parameters, SKIP_WEAK_BOUNCE) || world->parameters->grid > 1)
-        return (Mask)0;
-    Lanes most = weight * (Lanes)world->view[VIEW_BRIGHTEST];
-    const real rounded = 1 + 256 * REAL_ROUNDING; /* no sum of up to PATH_MAX terms is rounded up by more */
-    IntLanes red = IS(colour_to_byte(total.x) == colour_to_byte((total.x + most) * rounded));
-    IntLanes green = IS(colour_to_byte(total.y) == colour_to_byte((total.y + most) * rounded));
-    IntLanes blue = IS(colour_to_byte(total.z) == colour_to_byte((total.z + most) * rounded));
-    return INTS_TO_MASK(red & green & blue);
-#endif
-}
-
-/* Ends such paths. reflection: of the faces they are at. */
-INLINE void drop_weak(const World *world, Path *path, Lanes reflection)
-{
-    if (!ANY(path->active))
-        return;
-    Mask weak = path->active & too_weak(world, path->total, path->weight * reflection);
-    world->counters[COUNT_SKIPPED + SKIP_WEAK_BOUNCE] += mask_count(weak);
-    path->active &= ~weak;
 }

@@ -1,6 +1,7 @@
 /* Signs without rounding, one lane at a time, for the rare values that lie within their rounding error of zero.
  * First the determinant in `wide` with Shewchuk's bound, then as an expansion, an exact sum of wides
  * ("Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997). */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
 

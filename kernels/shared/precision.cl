@@ -1,5 +1,6 @@
 /* The two types of numbers. `real` is what most arithmetic is done in, float or double as the build option REAL_DOUBLE says.
  * `wide` is double wherever the device has it (HAS_DOUBLE): rays, t and hit points are wide in both precisions. */
+
 #pragma OPENCL FP_CONTRACT OFF /* a * b + c rounds twice, as on the host; fma() where we want one rounding */
 
 #if REAL_DOUBLE || HAS_DOUBLE
@@ -44,11 +45,3 @@ typedef float8 real8;
 #else
 #define TO_REAL4(x) convert_float4(x)
 #endif
-
-/* Some functions the compiler would rather call; a call passes its vectors through memory. */
-#define INLINE static inline __attribute__((always_inline))
-#define NOINLINE static __attribute__((noinline))
-
-/* Is t wanted as exactly as `wide` can hold it? If not, plain arithmetic does, down to this share of its terms. */
-#define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
-#define PLAIN_DOUBT (wide)0x1p-20f

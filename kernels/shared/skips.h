@@ -19,4 +19,7 @@ enum {
     SKIP_KINDS
 };
 
+/* Is that work left out where a scene does not need it? */
+#define MAY_SKIP(parameters, skip) (!((parameters)->no_skip >> (skip) & 1))
+
 #endif

@@ -1,16 +1,19 @@
 /* What the corners of a window, a block of tiles or one tile, tell of all its pixels: the face that they see, what it mirrors, and
  * of each light whether it reaches them, or whether nothing of it does. docs/algorithm.md, section 11. */
-#include "shared/skips.h"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
+#include "shared/skips.h"
 #include "packet/apex.cl"
-#include "packet/world.cl"
-#include "packet/accel.cl"
-#include "packet/tree.cl"
-#include "packet/search.cl"
-#include "packet/shade.cl"
+#include "packet/approx.cl"
 #include "packet/camera.cl"
+#include "packet/faces.cl"
+#include "packet/lanes.cl"
+#include "packet/light.cl"
+#include "packet/nearest.cl"
+#include "packet/planes.cl"
+#include "packet/tree.cl"
+#include "packet/world.cl"
 #include "tile/frustum.cl"
 
 #define CLASSIFIES_TILES (HAS_APPROX && !ADAPTIVE && PACKETS > 1)

@@ -1,23 +1,27 @@
 /* A face that a window of the screen sees everywhere, shaded packet by packet, in registers: what is the same for all its pixels
  * is worked out once. docs/algorithm.md, section 11. */
-#include "shared/skips.h"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
-#include "packet/world.cl"
-#include "packet/shade.cl"
+#include "shared/precision.cl"
+#include "shared/skips.h"
+#include "packet/approx.cl"
 #include "packet/camera.cl"
-#include "tile/frustum.cl"
+#include "packet/faces.cl"
+#include "packet/lanes.cl"
+#include "packet/light.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 #include "tile/classify.cl"
+#include "tile/frustum.cl"
 
 #if CLASSIFIES_TILES
 
 /* A light that counts on a facet. */
 typedef struct FacetLight {
-    real at[3];                       /* told from the apex of the rays that see the facet */
-    real3 ambient, diffuse, specular; /* the material's colours in it */
-    bool reaches, shines;             /* at least some lanes; with a highlight */
-    const Mask *blocked;              /* packet by packet the lanes that it does not reach; NULL: none */
+    real at[3];          /* told from the apex of the rays that see the facet */
+    LightTerms terms;
+    bool reaches;        /* at least some lanes */
+    const Mask *blocked; /* packet by packet the lanes that it does not reach; NULL: none */
 } FacetLight;
 
 /* More lights than it has room for come in turns. */
@@ -28,7 +32,7 @@ typedef struct Facet {
     real eye[3];                       /* told from the apex */
     bool along_ray;                    /* the viewer is where the ray comes from */
     global const real *material;
-    real reflection, exponent;
+    real reflection;
     uint asked, behind, ambient_only, dull; /* so many lights are asked for; are behind it; do not matter; make no highlight */
     int light_count;
     FacetLight lights[CLASSIFIED_LIGHTS];
@@ -52,7 +56,6 @@ INLINE void facet_of(const World *world, const CoveringFace *w, const Camera *ca
     f->along_ray = world->parameters->viewer_ray || bounces == 0;
     f->material = world->materials + (size_t)face_material(world, w->face) * MATERIAL_REALS;
     f->reflection = f->material[MATERIAL_REFLECTION];
-    f->exponent = f->material[MATERIAL_EXPONENT];
     f->asked = f->behind = f->ambient_only = f->dull = 0;
     f->light_count = 0;
 }
@@ -79,13 +82,10 @@ INLINE void facet_add_light(const World *world, global const real *light, bool f
     light_position(light, position);
     for (int axis = 0; axis < 3; axis++)
         l->at[axis] = (real)(position[axis] - f->camera.eye[axis]);
-    l->ambient = coloured(f->material + MATERIAL_AMBIENT, light + LIGHT_AMBIENT);
-    l->diffuse = coloured(f->material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE);
-    l->specular = coloured(f->material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
+    l->terms = light_terms(world, f->material, light);
     l->reaches = shade != SHADOWED;
-    l->shines = makes_highlight(world, l->specular);
     l->blocked = shade == PARTLY_SHADOWED ? blocked : 0;
-    f->dull += shade == LIT && !l->shines;
+    f->dull += shade == LIT && !l->terms.has_highlight;
 }
 
 /* Rays of a tile came to the facet. */
@@ -122,18 +122,16 @@ INLINE bool shade_facet(const World *world, const Facet *f, const ScreenPlaces *
         return false;
     for (int i = 0; i < f->light_count; i++) {
         const FacetLight *light = f->lights + i;
-        Vec ambient = vec((Lanes)light->ambient.x, (Lanes)light->ambient.y, (Lanes)light->ambient.z), sum = ambient;
+        Vec in_shadow = shine_in_shadow(&light->terms), sum = in_shadow;
         Mask reaches = light->blocked ? active & ~light->blocked[p] : active;
         if (light->reaches) {
             if (!approx_towards(&approx, vec_of(light->at), active, &l, &per_length, &share))
                 return false;
-            sum = vec_add(sum, scale_colour(diffuse_of(l, normal), light->diffuse));
-            if (light->shines)
-                sum = vec_add(sum, scale_colour(highlight_of(l, v, normal, f->exponent), light->specular));
+            sum = shine(&light->terms, l, v, normal);
             *lit |= reaches;
         }
         if (light->blocked)
-            sum = vec_select(reaches, sum, world->parameters->shadow_ambient ? ambient : vec(0, 0, 0));
+            sum = vec_select(reaches, sum, world->parameters->shadow_ambient ? in_shadow : vec(0, 0, 0));
         *colour = vec_add(*colour, sum);
     }
     return true;

@@ -1,16 +1,17 @@
 /* What four rays from an apex tell of all rays between them: those are sums of the four with weights between 0 and 1, and edge
  * functions and 1/t are linear in a ray, so what holds at the corners, holds for all (Reshetov, Soupikov, Hurley, "Multi-Level
  * Ray Tracing Algorithm", 2005). docs/algorithm.md, section 11, whole tiles. */
-#include "shared/skips.h"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
+#include "shared/skips.h"
 #include "packet/apex.cl"
-#include "packet/world.cl"
-#include "packet/accel.cl"
+#include "packet/camera.cl"
+#include "packet/faces.cl"
+#include "packet/lanes.cl"
+#include "packet/nearest.cl"
 #include "packet/tree.cl"
-#include "packet/search.cl"
-#include "packet/shade.cl"
+#include "packet/world.cl"
 
 INLINE real least_of(real4 a)
 {

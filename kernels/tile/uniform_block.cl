@@ -1,16 +1,18 @@
 /* Blocks whose corners have told all, to the last bounce and light: each packet of theirs goes its whole way by itself, in
  * registers. It comes to what whole_tile.cl would, to the last bit. docs/algorithm.md, section 11. */
-#include "shared/skips.h"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
-#include "packet/world.cl"
-#include "packet/shade.cl"
+#include "shared/precision.cl"
+#include "shared/skips.h"
 #include "packet/camera.cl"
+#include "packet/lanes.cl"
+#include "packet/paths.cl"
 #include "packet/picture.cl"
-#include "tile/frustum.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 #include "tile/classify.cl"
 #include "tile/facet.cl"
+#include "tile/frustum.cl"
 
 #if !CLASSIFIES_TILES
 

@@ -2,21 +2,27 @@
  * for all to find the face and the light's way to it (corners.cl), and only shading is done for each. A planar mirror makes of the
  * camera another camera, its image, and the tile goes on with that. What the tile's block has told is not asked again, and what is
  * not the same everywhere is left to render.cl. docs/algorithm.md, section 11. */
-#include "shared/skips.h"
+#include "shared/compiler.cl"
 #include "shared/layout.h"
-#include "packet/lanes.cl"
-#include "packet/geometry.cl"
+#include "shared/precision.cl"
+#include "shared/skips.h"
 #include "packet/apex.cl"
-#include "packet/intersect.cl"
-#include "packet/points.cl"
-#include "packet/world.cl"
-#include "packet/tree.cl"
-#include "packet/search.cl"
-#include "packet/shade.cl"
+#include "packet/approx.cl"
 #include "packet/camera.cl"
-#include "tile/frustum.cl"
+#include "packet/intersect.cl"
+#include "packet/lanes.cl"
+#include "packet/light.cl"
+#include "packet/nearest.cl"
+#include "packet/paths.cl"
+#include "packet/points.cl"
+#include "packet/rays.cl"
+#include "packet/shadow.cl"
+#include "packet/tree.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 #include "tile/classify.cl"
 #include "tile/facet.cl"
+#include "tile/frustum.cl"
 
 #if CLASSIFIES_TILES
 
@@ -135,7 +141,7 @@ INLINE bool shade_tile(const World *world, const MirrorChain *chain, const Cover
                 return false;
             for (int k = 0; k < f->light_count; k++) {
                 const FacetLight *light = f->lights + k;
-                if (light->blocked && !light->shines)
+                if (light->blocked && !light->terms.has_highlight)
                     world->counters[COUNT_SKIPPED + SKIP_HIGHLIGHT] += mask_count(paths[p].active & ~light->blocked[p]);
             }
         }

@@ -1,8 +1,20 @@
 /* What the stress suite asks the product's kernels beside what the product asks: single functions of theirs, one
  * work-item per question, all lanes the same. Compiled with the kernel `cast`, every face asked in turn. */
+#include "shared/layout.h"
+#include "shared/precision.cl"
+#include "packet/any_rays.cl"
+#include "packet/apex.cl"
+#include "packet/intersect.cl"
+#include "packet/lanes.cl"
 #include "packet/paths.cl"
-#include "packet/camera.cl"
+#include "packet/points.cl"
 #include "packet/power.cl"
+#include "packet/rays.cl"
+#include "packet/shadow.cl"
+#include "packet/trace.cl"
+#include "packet/tree.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 
 static WideVec probe_vec(global const wide *a, int i)
 {

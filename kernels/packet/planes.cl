@@ -1,104 +1,16 @@
-/* Faces against lanes of rays. A fast test in `real` with a proved error bound settles nearly every lane;
- * the few that lie within the bound of an edge are settled by exact.cl. docs/algorithm.md derives the bounds. */
-#include "packet/world.cl"
-#include "shared/layout.h"
-#include "packet/lanes.cl"
+/* The planes of faces against lanes of rays, in `wide`. */
+#include "shared/compiler.cl"
 #include "shared/exact.cl"
+#include "shared/layout.h"
+#include "shared/precision.cl"
+#include "packet/faces.cl"
+#include "packet/lanes.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
 
-typedef struct Ray {
-    WideVec origin, direction;
-} Ray;
-
-INLINE global const real *face_row(const World *world, int face) { return world->edges + (size_t)face * FACE_REALS; }
-INLINE Vec face_vertex(global const real *row, int k) { return vec((Lanes)row[k], (Lanes)row[4 + k], (Lanes)row[8 + k]); }
-INLINE real4 of_vertices(global const real *row, int axis) { return *(global const real4 *)(row + FACE_VERTICES + 4 * axis); }
-INLINE uint face_bits(global const real *row) { return *(global const uint *)(row + FACE_BITS); }
-INLINE int face_material(const World *world, int face) { return world->faces[face].material & ~FACE_FLAT; }
-INLINE bool face_is_flat(const World *world, int face) { return world->faces[face].material & FACE_FLAT; }
-INLINE real edge_bound(uint bits) { return (real)fabs(as_float(bits)); }
-INLINE real face_warp(uint bits) { return (real)fabs(as_float(bits << 16)); }
-
-/* A ray in `real`. */
-typedef struct RealRay {
-    Vec origin, direction;
-    Vec scaled;  /* the direction divided by the largest magnitude of its components, which is */
-    Lanes scale;
-} RealRay;
-
-INLINE RealRay real_ray(Vec origin, Vec direction)
-{
-    RealRay l;
-    l.origin = origin;
-    l.direction = direction;
-    l.scale = vec_largest(direction);
-    l.scaled = vec_scale(1 / l.scale, direction);
-    return l;
-}
-
-/* Lanes against one face: which may pass inside, which certainly do, and on which side of the normal. */
-typedef struct EdgeTest {
-    Mask may, sure, with_normal;
-} EdgeTest;
-
-/* R.((v[k] - O) x (v[k+1] - v[k])) = det(R, v[k] - O, v[k+1] - O). a: v[k] - O; v: row + k, w: row + k + 1. */
-INLINE Lanes edge_function(Vec r, Vec a, global const real *v, global const real *w)
-{
-    real x = w[0] - v[0], y = w[4] - v[4], z = w[8] - v[8];
-    return FMA(r.x, FMA(a.y, z, -a.z * y), FMA(r.y, FMA(a.z, x, -a.x * z), r.z * FMA(a.x, y, -a.y * x)));
-}
-
-INLINE EdgeTest test_edges(const RealRay *l, global const real *row)
-{
-    uint bits = face_bits(row);
-    int edges = bits & FACE_TRIANGLE ? 3 : 4;
-    Vec first = vec_sub(face_vertex(row, 0), l->origin);
-    Lanes low = edge_function(l->direction, first, row, row + 1), high = low;
-    for (int k = 1; k < edges; k++) {
-        Vec a = vec_sub(face_vertex(row, k), l->origin);
-        Lanes s = edge_function(l->direction, a, row + k, row + (k + 1 & 3));
-        low = LESSER(low, s);
-        high = GREATER(high, s);
-    }
-    /* No vertex is farther from O than the first by more than two edges. */
-    Lanes size = vec_magnitudes(first) + vec_magnitudes(l->origin) + 2 * edge_bound(bits);
-    Lanes bound = l->scale * FMA(size, 16 * REAL_ROUNDING * edge_bound(bits), REAL_FLOOR) + REAL_FLOOR;
-    EdgeTest test;
-    test.with_normal = IS(low > bound);
-    test.sure = test.with_normal | IS(high < -bound);
-    test.may = IS(low >= -bound) | IS(high <= bound);
-    return test;
-}
-
-/* Settles the lanes that may pass inside but not surely. With `target` the rays are segments that end there. */
-NOINLINE void resolve_edges_exactly(EdgeTest *test, global const real *row, const Ray *ray, const wide *target)
-{
-    MaskElement may[LANES], sure[LANES], with_normal[LANES];
-    wide o[3][LANES], r[3][LANES];
-    STORE(test->may, may);
-    STORE(test->sure, sure);
-    STORE(test->with_normal, with_normal);
-    STORE(ray->origin.x, o[0]);
-    STORE(ray->origin.y, o[1]);
-    STORE(ray->origin.z, o[2]);
-    STORE(ray->direction.x, r[0]);
-    STORE(ray->direction.y, r[1]);
-    STORE(ray->direction.z, r[2]);
-    for (int i = 0; i < LANES; i++) {
-        if (!may[i] || sure[i])
-            continue;
-        wide origin[3] = {o[0][i], o[1][i], o[2][i]};
-        wide zero[3] = {0, 0, 0};
-        wide direction[3] = {r[0][i], r[1][i], r[2][i]};
-        Exact exact = target ? exact_difference(target, origin) : exact_difference(direction, zero);
-        int sign = inside_sign(row, origin, &exact);
-        may[i] = sign ? -1 : 0;
-        with_normal[i] = sign > 0 ? -1 : 0;
-    }
-    test->may = LOAD(may);
-    test->with_normal = LOAD(with_normal);
-}
-
-/* --- Planes, in wide --- */
+/* Is t wanted as exactly as `wide` can hold it? If not, plain arithmetic does, down to this share of its terms. */
+#define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
+#define PLAIN_DOUBT (wide)0x1p-20f
 
 typedef struct PlaneRow {
     wide x, y, z; /* N but for what rounding took */
@@ -288,33 +200,4 @@ static PlaneHit plane_hit_from_point(const World *world, int face, const WideVec
         return plane_hit(world, face, origin, direction, active);
     PlaneHit hit = {(Wide)distance, -distance / approach};
     return hit;
-}
-
-/* The part of each ray from t = enter to t = leave. */
-typedef struct Interval {
-    Wide enter, leave;
-} Interval;
-
-/* Narrows the interval to between two planes across an axis, as interval_between in box.c, bit for bit. */
-INLINE void cross_planes(Interval *interval, wide low, wide high, Wide origin, Wide direction)
-{
-    const wide slack = 8 * WIDE_ROUNDING;
-    Wide to_low = (low - origin) / direction, to_high = (high - origin) / direction;
-    WideMask along = IS(direction == (Wide)0), forward = IS(direction > (Wide)0);
-    WideMask between = IS(origin >= (Wide)low) & IS(origin <= (Wide)high);
-    Wide enter = (forward ? to_low : to_high) * (1 - slack), leave = (forward ? to_high : to_low) * (1 + slack);
-    enter = along ? (between ? (Wide)0 : (Wide)WIDE_MAX) : enter;
-    leave = along ? (between ? (Wide)WIDE_MAX : (Wide)-WIDE_MAX) : leave;
-    interval->enter = enter > interval->enter ? enter : interval->enter;
-    interval->leave = leave < interval->leave ? leave : interval->leave;
-}
-
-/* Where each ray is in the face's box. */
-static Interval interval_in_box(global const FaceRecord *face, const Ray *ray)
-{
-    Interval interval = {(Wide)0, (Wide)WIDE_MAX};
-    cross_planes(&interval, (wide)face->box[0], (wide)face->box[1], ray->origin.x, ray->direction.x);
-    cross_planes(&interval, (wide)face->box[2], (wide)face->box[3], ray->origin.y, ray->direction.y);
-    cross_planes(&interval, (wide)face->box[4], (wide)face->box[5], ray->origin.z, ray->direction.z);
-    return interval;
 }

@@ -1,0 +1,62 @@
+/* The nearest faces of one packet of rays from a list. */
+#include "shared/layout.h"
+#include "shared/precision.cl"
+#include "packet/accel.cl"
+#include "packet/apex.cl"
+#include "packet/intersect.cl"
+#include "packet/lanes.cl"
+#include "packet/nearest.cl"
+#include "packet/rays.cl"
+#include "packet/tree.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
+
+/* The nearest faces ahead of one packet of any rays, exactly. */
+static Hit find_nearest_apart(const World *world, const Ray *ray, Mask active)
+{
+    RealRay l = real_ray(vec_to_real(ray->origin), vec_to_real(ray->direction));
+    Hit nearest = no_hit();
+    uint lanes = mask_count(active);
+    RayBounds b = bounds_of(&l, active);
+    Stack stack = stack_of(world, &b);
+    for (int first, count; next_leaf(world, &b, lanes, &stack, &first, &count);) {
+        bool nearer = false;
+        for (int k = first; k < first + count; k++)
+            nearer |= intersect_nearest(world, &l, ray, active, face_in_leaf(world, k), &nearest);
+        world->counters[COUNT_FACE_TESTS] += lanes * (uint)count;
+        if (nearer) {
+            Lanes t = TO_REAL(nearest.t_in_box < (Wide)REACH_ALL ? nearest.t_in_box : (Wide)REACH_ALL) * l.scale;
+            bounds_shorten(&b, -lanes_lowest(active ? -t : (Lanes)0));
+        }
+    }
+    return nearest;
+}
+
+/* The lanes whose ray starts where the first one's does. */
+static Mask same_origin(const Ray *ray)
+{
+    WideVec o = ray->origin;
+    return TO_MASK(IS(o.x == (Wide)first_wide(o.x)) & IS(o.y == (Wide)first_wide(o.y)) & IS(o.z == (Wide)first_wide(o.z)));
+}
+
+/* The same for rays that all start at one point. */
+static Hit find_nearest_of_pencil(const World *world, const Ray *ray, Mask active)
+{
+    OriginPacket pencils[PACKETS];
+    Nearest nearest[PACKETS];
+    Ray rays[PACKETS];
+    Mask close[PACKETS];
+    Vec direction = vec_to_real(ray->direction);
+    EACH_PACKET(p) {
+        rays[p] = *ray;
+        pencils[p].ahead = direction;
+        pencils[p].active = p == 0 ? active : (Mask)0;
+        pencils[p].left = (Mask)-1;
+        nearest[p] = nothing_yet();
+    }
+    wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
+    Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_magnitudes(direction) : (Lanes)0));
+    RayBounds all = bounds_from(&a, pencils, PACKETS, 0);
+    find_nearest_from(world, &a, pencils, rays, nearest, &all, 0, false, close);
+    return exact_hit(world, ray, nearest, active);
+}

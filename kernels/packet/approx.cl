@@ -1,0 +1,75 @@
+/* Hit points as float can tell them. */
+#include "shared/compiler.cl"
+#include "shared/layout.h"
+#include "shared/precision.cl"
+#include "packet/faces.cl"
+#include "packet/lanes.cl"
+#include "packet/planes.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
+
+/* Where rays meet their faces as float can tell it: from their apex, so that it does not matter how far from 0 the scene lies.
+ * It serves shading, and shadow rays, where its error is a small enough share of the distance to the light and to the viewer. */
+#define HAS_APPROX (!PLAIN_IS_POOR)
+#define APPROX_MOST ((real)0x1p-14f)
+
+typedef struct ApproxPoint {
+    Vec from_apex;
+    Lanes error;  /* the point is not farther from the exact one */
+    Lanes length; /* of the ray's direction */
+} ApproxPoint;
+
+/* N.(v0 - A), t's numerator, which has no error worth mentioning; of a face seen from one apex, and from each lane's. */
+INLINE real approx_height(const World *world, int face, const wide *apex)
+{
+    global const wide *n = world->planes + (size_t)face * PLANE_REALS;
+    global const real *v = face_row(world, face) + FACE_VERTICES;
+    return (real)(n[0] * (v[0] - apex[0]) + n[1] * (v[4] - apex[1]) + n[2] * (v[8] - apex[2]));
+}
+
+INLINE Lanes approx_heights(const World *world, int face, WideVec apex)
+{
+    global const wide *n = world->planes + (size_t)face * PLANE_REALS;
+    global const real *v = face_row(world, face) + FACE_VERTICES;
+    return TO_REAL(n[0] * ((wide)v[0] - apex.x) + n[1] * ((wide)v[4] - apex.y) + n[2] * ((wide)v[8] - apex.z));
+}
+
+/* How far t R may be off, for R of that length. */
+#define APPROX_ERROR(t, length, per_approach, off) (((8 * REAL_ROUNDING) * (t) * (length) + (off)) * (1 + (length) * (per_approach)))
+
+/* height: N.(v0 - A), and how far it, and A, may be off; normal: N of the lanes' faces. Where rounding may decide the sign of
+ * N.R, or that of t, there is no bound. */
+INLINE ApproxPoint approx_point(Vec ahead, Lanes height, Lanes off, Vec normal)
+{
+    ApproxPoint s;
+    Lanes approach = FMA(ahead.x, normal.x, FMA(ahead.y, normal.y, ahead.z * normal.z));
+    Lanes per_approach = 1 / approach, t = height * per_approach;
+    s.length = sqrt(vec_dot(ahead, ahead));
+    s.from_apex = vec_scale(t, ahead);
+    Mask sure = IS(t > (Lanes)0) & IS(fabs(approach) > (16 * REAL_ROUNDING) * s.length);
+    s.error = sure ? APPROX_ERROR(t, s.length, fabs(per_approach), off) : (Lanes)INFINITY;
+    return s;
+}
+
+/* How far an apex may be off after up to PATH_MAX mirrors, and a height over a plane, for coordinates of that sum of
+ * magnitudes. */
+#define APPROX_OFF(magnitudes) ((real)0x1p-41f * (magnitudes) + (real)0x1p-52f)
+
+/* From the points to a place that lies at `at`, told from the apex: unit vectors, and 1 / their length. False where the sketch
+ * is too rough in some active lane. share: the sketch's error as a share of the length. */
+INLINE bool approx_towards(const ApproxPoint *approx, Vec at, Mask active, Vec *unit, Lanes *per_length, Lanes *share)
+{
+    Vec d = vec_sub(at, approx->from_apex);
+    *per_length = 1 / sqrt(vec_dot(d, d));
+    *unit = vec_scale(*per_length, d);
+    *share = (approx->error + 2 * REAL_ROUNDING * vec_largest(at)) * *per_length;
+    return !ANY(active & ~IS(*share <= (Lanes)APPROX_MOST));
+}
+
+/* A place as it is told from the apex of each lane's ray. */
+INLINE Vec from_apexes(const wide *place, const wide *apex, const WideVec *apexes)
+{
+    if (apex)
+        return vec((Lanes)(real)(place[0] - apex[0]), (Lanes)(real)(place[1] - apex[1]), (Lanes)(real)(place[2] - apex[2]));
+    return vec(TO_REAL(place[0] - apexes->x), TO_REAL(place[1] - apexes->y), TO_REAL(place[2] - apexes->z));
+}

@@ -1,0 +1,70 @@
+/* Lights, and what a face shows in them: the one place of the Blinn-Phong formula. */
+#include "shared/compiler.cl"
+#include "shared/layout.h"
+#include "shared/precision.cl"
+#include "shared/skips.h"
+#include "packet/lanes.cl"
+#include "packet/power.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
+
+/* A material in a light: the colours of the three terms. */
+typedef struct LightTerms {
+    real3 ambient, diffuse, specular;
+    real exponent;
+    bool has_highlight; /* false: the specular term is black, and left out */
+} LightTerms;
+
+/* The colour of a material in a light, column by column of their rows. */
+INLINE real3 coloured(global const real *material, global const real *light)
+{
+    return (real3)(material[0] * light[0], material[1] * light[1], material[2] * light[2]);
+}
+
+INLINE LightTerms light_terms(const World *world, global const real *material, global const real *light)
+{
+    LightTerms terms;
+    terms.ambient = coloured(material + MATERIAL_AMBIENT, light + LIGHT_AMBIENT);
+    terms.diffuse = coloured(material + MATERIAL_DIFFUSE, light + LIGHT_DIFFUSE);
+    terms.specular = coloured(material + MATERIAL_SPECULAR, light + LIGHT_SPECULAR);
+    terms.exponent = material[MATERIAL_EXPONENT];
+    bool black = terms.specular.x == 0 && terms.specular.y == 0 && terms.specular.z == 0;
+    terms.has_highlight = !MAY_SKIP(world->parameters, SKIP_HIGHLIGHT) || !black;
+    return terms;
+}
+
+static Lanes at_least_zero(Lanes x) { return x > (Lanes)0 ? x : (Lanes)0; }
+
+INLINE Vec scale_colour(Lanes s, real3 c) { return vec(s * c.x, s * c.y, s * c.z); }
+
+/* What shows in the shadow of the light where its ambient term counts. */
+INLINE Vec shine_in_shadow(const LightTerms *terms)
+{
+    return vec((Lanes)terms->ambient.x, (Lanes)terms->ambient.y, (Lanes)terms->ambient.z);
+}
+
+/* Blinn-Phong, as in src/scene/light.c. l, v: unit vectors to the light and to the viewer. */
+INLINE Vec shine(const LightTerms *terms, Vec l, Vec v, Vec normal)
+{
+    Lanes diffuse = at_least_zero(vec_dot(l, normal));
+    Vec sum = vec_add(shine_in_shadow(terms), scale_colour(diffuse, terms->diffuse));
+    if (!terms->has_highlight)
+        return sum;
+    Vec half_way = vec_unit(vec_add(l, v));
+    return vec_add(sum, scale_colour(power(at_least_zero(vec_dot(normal, half_way)), terms->exponent), terms->specular));
+}
+
+INLINE void light_position(global const real *light, wide *position)
+{
+    for (int axis = 0; axis < 3; axis++)
+        position[axis] = (wide)light[LIGHT_POSITION + axis] + (wide)light[LIGHT_POSITION_LOW + axis];
+}
+
+/* Does it matter what a light reaches? Not if it has an ambient colour only, which counts in its shadow, too. */
+INLINE bool wants_light(const World *world, global const real *light)
+{
+    bool only_ambient = true;
+    for (int i = 0; i < 3; i++)
+        only_ambient &= light[LIGHT_DIFFUSE + i] == 0 && light[LIGHT_SPECULAR + i] == 0;
+    return !(MAY_SKIP(world->parameters, SKIP_LIGHT_AMBIENT) && world->parameters->shadow_ambient && only_ambient);
+}

@@ -1,0 +1,82 @@
+/* Vectors, a component in each of three registers: in `real`, and in `wide`. */
+#include "shared/precision.cl"
+#include "packet/lanes.cl"
+
+typedef struct Vec {
+    Lanes x, y, z;
+} Vec;
+
+typedef struct WideVec {
+    Wide x, y, z;
+} WideVec;
+
+static Vec vec(Lanes x, Lanes y, Lanes z)
+{
+    Vec v = {x, y, z};
+    return v;
+}
+
+static Vec vec_row(global const real *row) { return vec((Lanes)row[0], (Lanes)row[1], (Lanes)row[2]); }
+static Vec vec_add(Vec a, Vec b) { return vec(a.x + b.x, a.y + b.y, a.z + b.z); }
+static Vec vec_sub(Vec a, Vec b) { return vec(a.x - b.x, a.y - b.y, a.z - b.z); }
+static Vec vec_scale(Lanes s, Vec a) { return vec(s * a.x, s * a.y, s * a.z); }
+static Vec vec_multiply(Vec a, Vec b) { return vec(a.x * b.x, a.y * b.y, a.z * b.z); }
+static Lanes vec_dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Lanes vec_magnitudes(Vec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+static Lanes vec_largest(Vec a) { return GREATER(GREATER(fabs(a.x), fabs(a.y)), fabs(a.z)); }
+static Vec vec_select(Mask mask, Vec a, Vec b) { return vec(mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z); }
+
+static Vec vec_cross(Vec a, Vec b)
+{
+    return vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+/* a / |a|; a zero vector stays zero. In double as the reference does it, in float with one division instead of three. */
+static Vec vec_unit(Vec a)
+{
+    Lanes squared = vec_dot(a, a);
+    Lanes length = squared > (Lanes)0 ? sqrt(squared) : (Lanes)1;
+#if REAL_DOUBLE
+    return vec(a.x / length, a.y / length, a.z / length);
+#else
+    return vec_scale(1 / length, a);
+#endif
+}
+
+static WideVec wide_vec(Wide x, Wide y, Wide z)
+{
+    WideVec v = {x, y, z};
+    return v;
+}
+
+static WideVec wide_add(WideVec a, WideVec b) { return wide_vec(a.x + b.x, a.y + b.y, a.z + b.z); }
+static WideVec wide_sub(WideVec a, WideVec b) { return wide_vec(a.x - b.x, a.y - b.y, a.z - b.z); }
+static WideVec wide_scale(Wide s, WideVec a) { return wide_vec(s * a.x, s * a.y, s * a.z); }
+static Wide wide_dot(WideVec a, WideVec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Wide wide_magnitudes(WideVec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+
+static WideVec wide_unit(WideVec a)
+{
+    Wide length = sqrt(wide_dot(a, a));
+#if REAL_DOUBLE
+    return wide_vec(a.x / length, a.y / length, a.z / length);
+#else
+    return wide_scale(1 / length, a);
+#endif
+}
+
+static WideVec wide_select(WideMask mask, WideVec a, WideVec b)
+{
+    return wide_vec(mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z);
+}
+
+static Vec vec_to_real(WideVec a) { return vec(TO_REAL(a.x), TO_REAL(a.y), TO_REAL(a.z)); }
+
+static wide first_wide(Wide x)
+{
+#if LANES == 1
+    return x;
+#else
+    return x.s0;
+#endif
+}
