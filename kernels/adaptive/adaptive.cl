@@ -212,13 +212,6 @@ INLINE Mask same_trail(const Trail *trail, const Trail *first, int lane, Mask ac
     return active;
 }
 
-INLINE wide wide_at(Wide x, int lane)
-{
-    wide values[LANES];
-    STORE(x, values);
-    return values[lane];
-}
-
 /* A tile's pixels, packet by packet: the directions to their middles, and where they are. */
 typedef struct Tile {
     WideVec directions[PACKETS];

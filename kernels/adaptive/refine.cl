@@ -1,6 +1,5 @@
 /* Adaptive sampling renders in two steps: the centres of all pixels, judged by adaptive.cl; then a lattice of samples for those
  * pixels that a centre does not tell. Built only where adaptive sampling is asked for. */
-#define ADAPTIVE 1 /* paths keep their trails */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -31,12 +30,12 @@ static WideVec direction_to(const World *world, Wide column, Wide row, Wide i, W
 /* The bundle of the active rays, which start at the apex. */
 static RayBounds bounds_of_rays(const Apex *a, const Path *paths, const Ray *rays)
 {
-    OriginPacket pencils[PACKETS];
+    OriginPacket packets[PACKETS];
     EACH_PACKET(k) {
-        pencils[k].active = paths[k].active;
-        pencils[k].ahead = vec_to_real(rays[k].direction);
+        packets[k].active = paths[k].active;
+        packets[k].ahead = vec_to_real(rays[k].direction);
     }
-    return bounds_from(a, pencils, PACKETS, 0);
+    return bounds_from(a, packets, PACKETS, 0);
 }
 
 /* As render_tile does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
@@ -63,7 +62,8 @@ INLINE void render_centres(const World *world, int first_column, int first_row, 
     RayBounds seen = bounds_of_rays(&apex, paths, rays);
     begin_paths(paths, rays);
     Camera camera = camera_of(world);
-    trace_paths(world, camera.eye, &apex, &seen, 0, paths, rays, 0, trails);
+    Eye eye = {camera.eye, &apex, &seen};
+    trace_paths(world, &eye, 0, paths, rays, 0, trails);
     judge_pixels(world, trails, &pixels, even);
     EACH_PACKET(k) {
         int column = first_column + PACKET_COLUMN(k), row = first_row + PACKET_ROW(k);
@@ -116,7 +116,8 @@ static void trace_samples(const World *world, const Apex *apex, Refined *pixels,
     RayBounds seen = bounds_of_rays(apex, paths, rays);
     begin_paths(paths, rays);
     Camera camera = camera_of(world);
-    trace_paths(world, camera.eye, apex, &seen, 0, paths, rays, 0, 0);
+    Eye eye = {camera.eye, apex, &seen};
+    trace_paths(world, &eye, 0, paths, rays, 0, 0);
     for (int k = 0; k < pixel_count; k++)
         add_samples(pixels + k, paths[k].total, count);
 }

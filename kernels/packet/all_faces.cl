@@ -9,7 +9,7 @@
 typedef int Stack;
 typedef int RayBounds;
 
-INLINE RayBounds bounds_from(const Apex *a, const OriginPacket *pencils, int packets, real spread) { return 0; }
+INLINE RayBounds bounds_from(const Apex *a, const OriginPacket *packets, int packet_count, real spread) { return 0; }
 INLINE RayBounds bounds_within(const Apex *a, const real *low, const real *high) { return 0; }
 INLINE RayBounds bounds_of(const RealRay *l, Mask active) { return 0; }
 INLINE void bounds_shorten(RayBounds *b, real reach) {}

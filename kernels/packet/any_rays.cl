@@ -1,4 +1,5 @@
-/* The nearest faces of one packet of rays from a list. */
+/* The nearest faces of one packet of rays from a list. Rays from one point are searched like those of a tile; any others exactly,
+ * face by face. */
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "packet/accel.cl"
@@ -11,8 +12,8 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* The nearest faces ahead of one packet of any rays, exactly. */
-static Hit find_nearest_apart(const World *world, const Ray *ray, Mask active)
+/* The nearest faces of rays that start anywhere. */
+static Hit find_nearest_of_any_rays(const World *world, const Ray *ray, Mask active)
 {
     RealRay l = real_ray(vec_to_real(ray->origin), vec_to_real(ray->direction));
     Hit nearest = no_hit();
@@ -32,31 +33,32 @@ static Hit find_nearest_apart(const World *world, const Ray *ray, Mask active)
     return nearest;
 }
 
-/* The lanes whose ray starts where the first one's does. */
+/* The lanes whose ray starts where that of the first lane does. */
 static Mask same_origin(const Ray *ray)
 {
     WideVec o = ray->origin;
     return TO_MASK(IS(o.x == (Wide)first_wide(o.x)) & IS(o.y == (Wide)first_wide(o.y)) & IS(o.z == (Wide)first_wide(o.z)));
 }
 
-/* The same for rays that all start at one point. */
-static Hit find_nearest_of_pencil(const World *world, const Ray *ray, Mask active)
+/* The nearest faces of rays that all start at one point. */
+static Hit find_nearest_from_point(const World *world, const Ray *ray, Mask active)
 {
-    OriginPacket pencils[PACKETS];
+    OriginPacket packets[PACKETS];
     Nearest nearest[PACKETS];
     Ray rays[PACKETS];
-    Mask close[PACKETS];
+    Mask uncertain[PACKETS];
     Vec direction = vec_to_real(ray->direction);
     EACH_PACKET(p) {
         rays[p] = *ray;
-        pencils[p].ahead = direction;
-        pencils[p].active = p == 0 ? active : (Mask)0;
-        pencils[p].left = (Mask)-1;
+        packets[p].ahead = direction;
+        packets[p].active = p == 0 ? active : (Mask)0;
+        packets[p].from = (Mask)-1;
         nearest[p] = nothing_yet();
     }
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
     Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_magnitudes(direction) : (Lanes)0));
-    RayBounds all = bounds_from(&a, pencils, PACKETS, 0);
-    find_nearest_from(world, &a, pencils, rays, nearest, &all, 0, false, close);
+    RayBounds bounds = bounds_from(&a, packets, PACKETS, 0);
+    Group group = {PACKETS, packets, rays, nearest, uncertain};
+    find_nearest_from(world, &a, &group, &bounds, 0, false);
     return exact_hit(world, ray, nearest, active);
 }

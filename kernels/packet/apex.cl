@@ -33,9 +33,9 @@ INLINE Apex apex_at(const wide *point, real spread, real length)
 typedef struct OriginPacket {
     Vec ahead;     /* from the apex along the ray: its direction; of a shadow ray the unit vector from the light */
     Lanes per_end; /* of a shadow ray: 1/t of its point; t is in units of `ahead`, from the apex */
-    Lanes doubt;   /* of a shadow ray: so many times the bounds of a face's errors cover those of its direction and its end, too */
-    Mask active;   /* lanes that take part in the search that is on */
-    Mask left;     /* the face that each ray leaves, not to be hit again */
+    Lanes slack;   /* of a shadow ray: so many times a face's error bounds cover the errors of its direction and end, too */
+    Mask active;   /* the lanes that take part in the search */
+    Mask from;     /* the face that each ray leaves, which it does not hit again; -1: none */
 } OriginPacket;
 
 /* Of a packet without active rays. */
@@ -45,18 +45,18 @@ INLINE OriginPacket no_origin_packet(void)
     return p;
 }
 
-/* A shadow ray, told from the light. */
+/* Shadow rays to the points, from the light. */
 INLINE void aim_from_light(OriginPacket *p, const wide *light, WideVec point)
 {
-    Vec d = vec_to_real(wide_sub(point, wide_vec((Wide)light[0], (Wide)light[1], (Wide)light[2])));
+    Vec d = vec_to_real(wide_sub(point, wide_of(light)));
     p->per_end = 1 / sqrt(vec_dot(d, d));
     p->ahead = vec_scale(p->per_end, d);
-    p->doubt = (Lanes)1;
+    p->slack = (Lanes)1;
 }
 
-/* share: what the sketch that a shadow ray comes from may be off, of its length; and back again. */
-#define DOUBT_OF(share) (1 + (share) * (real)(0.25f / REAL_ROUNDING))
-#define SHARE_OF(doubt) (((doubt) - 1) * (4 * REAL_ROUNDING))
+/* The slack of a shadow ray whose point may be off by that share of its length; and back again. */
+#define SLACK_OF(share) (1 + (share) * (real)(0.25f / REAL_ROUNDING))
+#define SHARE_OF(slack) (((slack) - 1) * (4 * REAL_ROUNDING))
 
 /* A face as it is seen from an apex. */
 typedef struct FaceSetup {

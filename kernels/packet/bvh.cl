@@ -27,13 +27,13 @@ INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
     stack->enter[i] = enter;
 }
 
-/* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. left_out: those of them
+/* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. culled: those of them
  * that it need not. */
-INLINE uint children_met(const World *world, const RayBounds *b, int node, int part, Lanes *enter, uint *left_out)
+INLINE uint children_met(const World *world, const RayBounds *b, int node, int part, Lanes *enter, uint *culled)
 {
     IntLanes children = LOAD(world->tree_ints + (size_t)node * NODE_WIDTH + part), key = LEAF_KEY(children);
-    Mask back = INTS_TO_MASK(IS(key == (IntLanes)b->left_out[0]) | IS(key == (IntLanes)b->left_out[1]) |
-                             IS(key == (IntLanes)b->left_out[2]));
+    Mask back = INTS_TO_MASK(IS(key == (IntLanes)b->culled_sides[0]) | IS(key == (IntLanes)b->culled_sides[1]) |
+                             IS(key == (IntLanes)b->culled_sides[2]));
     Mask none = INTS_TO_MASK(IS(children == (IntLanes)NO_CHILD));
     global const float *boxes = world->tree_floats + (size_t)node * (6 * NODE_WIDTH) + part;
     Lanes leave = (Lanes)b->reach;
@@ -42,7 +42,7 @@ INLINE uint children_met(const World *world, const RayBounds *b, int node, int p
         cross_slab(b->slabs[axis], LOAD_FLOATS(boxes + 2 * axis * NODE_WIDTH), LOAD_FLOATS(boxes + (2 * axis + 1) * NODE_WIDTH),
                    enter, &leave);
     Mask met = IS(*enter <= GROWN(leave)) & ~none;
-    *left_out = mask_bits(met & back);
+    *culled = mask_bits(met & back);
     return mask_bits(met & ~back);
 }
 
@@ -51,8 +51,8 @@ INLINE bool misses_all(const World *world, const RayBounds *b)
 {
     for (int part = 0; part < NODE_WIDTH; part += LANES) {
         Lanes enter;
-        uint left_out;
-        if (children_met(world, b, 0, part, &enter, &left_out) != 0)
+        uint culled;
+        if (children_met(world, b, 0, part, &enter, &culled) != 0)
             return false;
     }
     return true;
@@ -69,11 +69,11 @@ INLINE uint push_children(const World *world, const RayBounds *b, int node, Stac
 {
     global const int *children = world->tree_ints + (size_t)node * NODE_WIDTH;
     int floor = stack->count;
-    uint faces_left_out = 0;
+    uint faces_culled = 0;
     for (int part = 0; part < NODE_WIDTH; part += LANES) {
         Lanes enter;
-        uint left_out, met = children_met(world, b, node, part, &enter, &left_out);
-        faces_left_out += popcount(left_out);
+        uint culled, met = children_met(world, b, node, part, &enter, &culled);
+        faces_culled += popcount(culled);
         if (!met)
             continue;
         real enters[LANES];
@@ -88,7 +88,7 @@ INLINE uint push_children(const World *world, const RayBounds *b, int node, Stac
             stack_insert(stack, floor, child, enters[i]);
         }
     }
-    return faces_left_out;
+    return faces_culled;
 }
 
 INLINE Stack stack_of(const World *world, const RayBounds *b)

@@ -25,8 +25,8 @@ kernel void cast(constant Parameters *parameters, global const FaceRecord *faces
             v[k][i] = rays[6 * (size_t)(first + min(i, count - 1)) + k];
     Ray ray = {wide_vec(LOAD(v[0]), LOAD(v[1]), LOAD(v[2])), wide_vec(LOAD(v[3]), LOAD(v[4]), LOAD(v[5]))};
     Mask active = IS(lane_numbers() < (Mask)count);
-    Hit nearest = ANY(active & ~same_origin(&ray)) ? find_nearest_apart(&world, &ray, active)
-                                                   : find_nearest_of_pencil(&world, &ray, active);
+    Hit nearest = ANY(active & ~same_origin(&ray)) ? find_nearest_of_any_rays(&world, &ray, active)
+                                                   : find_nearest_from_point(&world, &ray, active);
     MaskElement face[LANES];
     wide t[LANES];
     STORE(nearest.face, face);

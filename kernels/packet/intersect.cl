@@ -85,7 +85,7 @@ NOINLINE bool intersect_nearest(const World *world, const RealRay *real_ray, con
  * starts at the target. */
 NOINLINE Mask intersect_segment(const World *world, const WideVec *point, const wide *target, Mask active, int i)
 {
-    WideVec end = wide_vec((Wide)target[0], (Wide)target[1], (Wide)target[2]);
+    WideVec end = wide_of(target);
     Ray ray = {*point, wide_sub(end, *point)};
     RealRay l = real_ray(vec_to_real(end), vec_to_real(wide_sub(*point, end)));
     EdgeTest edges = test_edges(&l, face_row(world, i));
@@ -141,14 +141,14 @@ static Hit exact_hit(const World *world, const Ray *ray, const Nearest *nearest,
     return hit;
 }
 
-/* Asks face i exactly in the lanes in doubt; true if it is nearer in some. */
-NOINLINE bool resolve_nearest_exactly(const World *world, const Ray *ray, Mask doubt, int i, Nearest *nearest)
+/* Asks face i exactly in the lanes in uncertain; true if it is nearer in some. */
+NOINLINE bool resolve_nearest_exactly(const World *world, const Ray *ray, Mask uncertain, int i, Nearest *nearest)
 {
     RealRay l = real_ray(vec_to_real(ray->origin), vec_to_real(ray->direction));
-    Hit hit = exact_hit(world, ray, nearest, doubt);
-    if (!intersect_nearest(world, &l, ray, doubt, i, &hit))
+    Hit hit = exact_hit(world, ray, nearest, uncertain);
+    if (!intersect_nearest(world, &l, ray, uncertain, i, &hit))
         return false;
-    Mask take = doubt & IS(hit.face == (Mask)i);
+    Mask take = uncertain & IS(hit.face == (Mask)i);
     Lanes inverse = 1 / (TO_REAL(hit.t_in_box) + nearest->begin);
     nearest->low = take ? inverse * (1 - 64 * REAL_ROUNDING) : nearest->low;
     nearest->high = take ? inverse * (1 + 64 * REAL_ROUNDING) : nearest->high;
@@ -186,13 +186,13 @@ NOINLINE Mask near_tie(const World *world, const Ray *ray, Mask lanes, int i, co
 #endif
 }
 
-/* Asks face i; true if it is nearer in some lane. Comparisons are such that NaN, from overflow, is a doubt. close: collects the
+/* Asks face i; true if it is nearer in some lane. Comparisons are such that NaN, from overflow, is a uncertain. near_ties: collects the
  * lanes in which rounding decides, or might make the back of a closed box as near as its front. */
 INLINE bool intersect_nearest_from(const World *world, const OriginPacket *p, const Ray *ray, const FaceSetup *f,
-                                   int i, Nearest *nearest, Mask *close)
+                                   int i, Nearest *nearest, Mask *near_ties)
 {
     Lanes edge = least_edge(p->ahead, f);
-    Mask may = p->active & ~IS(edge < (Lanes)-f->edge_error) & IS(p->left != (Mask)i);
+    Mask may = p->active & ~IS(edge < (Lanes)-f->edge_error) & IS(p->from != (Mask)i);
     if (!ANY(may))
         return false;
     Lanes inverse = along(p->ahead, f->nx, f->ny, f->nz);
@@ -200,9 +200,9 @@ INLINE bool intersect_nearest_from(const World *world, const OriginPacket *p, co
     may &= ~IS(high < nearest->low) & ~IS(low > nearest->limit) & IS(nearest->face != (Mask)i);
     Mask grazing = f->closed ? may & ~IS(edge > (Lanes)(4 * f->edge_error)) : (Mask)0;
     Mask take = may & IS(edge > (Lanes)f->edge_error) & IS(low > nearest->high) & IS(high < nearest->limit);
-    Mask doubt = may & ~take;
-    if (ANY(doubt | grazing))
-        *close |= near_tie(world, ray, doubt | grazing, i, nearest);
+    Mask uncertain = may & ~take;
+    if (ANY(uncertain | grazing))
+        *near_ties |= near_tie(world, ray, uncertain | grazing, i, nearest);
     nearest->low = take ? low : nearest->low;
     nearest->high = take ? high : nearest->high;
     nearest->face = take ? (Mask)i : nearest->face;
@@ -212,22 +212,22 @@ INLINE bool intersect_nearest_from(const World *world, const OriginPacket *p, co
         fetch(world->faces + i, sizeof(FaceRecord));
         fetch(world->planes + (size_t)i * PLANE_REALS, PLANE_REALS * sizeof(wide));
     }
-    if (ANY(doubt))
-        nearer |= resolve_nearest_exactly(world, ray, doubt, i, nearest);
+    if (ANY(uncertain))
+        nearer |= resolve_nearest_exactly(world, ray, uncertain, i, nearest);
     return nearer;
 }
 
-/* Asks face i, seen from the light; the active lanes whose points it blocks. doubt: those that only intersect_segment can tell. */
-INLINE Mask intersect_segment_from(const OriginPacket *p, const FaceSetup *f, int i, Mask *doubt)
+/* Asks face i, seen from the light; the active lanes whose points it blocks. uncertain: those that only intersect_segment can tell. */
+INLINE Mask intersect_segment_from(const OriginPacket *p, const FaceSetup *f, int i, Mask *uncertain)
 {
-    Lanes edge = least_edge(p->ahead, f), edge_error = p->doubt * f->edge_error;
-    Mask may = p->active & ~IS(edge < -edge_error) & IS(p->left != (Mask)i);
-    *doubt = (Mask)0;
+    Lanes edge = least_edge(p->ahead, f), edge_error = p->slack * f->edge_error;
+    Mask may = p->active & ~IS(edge < -edge_error) & IS(p->from != (Mask)i);
+    *uncertain = (Mask)0;
     if (!ANY(may))
         return (Mask)0;
-    Lanes inverse = along(p->ahead, f->nx, f->ny, f->nz), depth_error = p->doubt * f->depth_error;
+    Lanes inverse = along(p->ahead, f->nx, f->ny, f->nz), depth_error = p->slack * f->depth_error;
     may &= ~IS(inverse + depth_error < p->per_end);
     Mask blocked = may & IS(edge > edge_error) & IS(inverse - depth_error > p->per_end);
-    *doubt = may & ~blocked;
+    *uncertain = may & ~blocked;
     return blocked;
 }

@@ -150,6 +150,29 @@ static int first_of(Mask numbers, Mask mask)
     return (int)n[lowest_bit(mask_bits(mask))];
 }
 
+/* Takes those lanes out of `rest` whose number is that of its first lane. */
+INLINE Mask take_same(Mask numbers, Mask *rest, int *number)
+{
+    *number = first_of(numbers, *rest);
+    Mask same = *rest & IS(numbers == (Mask)*number);
+    *rest &= ~same;
+    return same;
+}
+
+static real real_at(Lanes x, int lane)
+{
+    real values[LANES];
+    STORE(x, values);
+    return values[lane];
+}
+
+static wide wide_at(Wide x, int lane)
+{
+    wide values[LANES];
+    STORE(x, values);
+    return values[lane];
+}
+
 /* The lowest value of all lanes, by halves. */
 static real lanes_lowest(Lanes x)
 {
@@ -175,4 +198,13 @@ INLINE bool any_packet(const Mask *masks)
     for (int p = 1; p < PACKETS; p++)
         any |= masks[p];
     return ANY(any);
+}
+
+/* The first packet that has a lane set; there is one. */
+INLINE int first_packet(const Mask *masks)
+{
+    int first = 0;
+    while (!ANY(masks[first]))
+        first++;
+    return first;
 }

@@ -10,7 +10,7 @@
 
 /* Is t wanted as exactly as `wide` can hold it? If not, plain arithmetic does, down to this share of its terms. */
 #define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
-#define PLAIN_DOUBT (wide)0x1p-20f
+#define PLAIN_LIMIT (wide)0x1p-20f
 
 typedef struct PlaneRow {
     wide x, y, z; /* N but for what rounding took */
@@ -73,11 +73,11 @@ static WidePairs from_vertex_exactly(global const real *row, WideVec point)
     return d;
 }
 
-/* The lanes in doubt get M.x / |M| from exact arithmetic. */
-NOINLINE Wide settle_dot(Wide value, global const real *row, wide length, const WidePairs *x, WideMask doubt)
+/* The lanes in uncertain get M.x / |M| from exact arithmetic. */
+NOINLINE Wide resolve_dot_exactly(Wide value, global const real *row, wide length, const WidePairs *x, WideMask uncertain)
 {
     wide v[LANES], high[3][LANES], low[3][LANES];
-    WideMaskElement doubtful[LANES];
+    WideMaskElement is_uncertain[LANES];
     STORE(value, v);
     STORE(x->high.x, high[0]);
     STORE(x->high.y, high[1]);
@@ -85,9 +85,9 @@ NOINLINE Wide settle_dot(Wide value, global const real *row, wide length, const 
     STORE(x->low.x, low[0]);
     STORE(x->low.y, low[1]);
     STORE(x->low.z, low[2]);
-    STORE(doubt, doubtful);
+    STORE(uncertain, is_uncertain);
     for (int i = 0; i < LANES; i++)
-        if (doubtful[i]) {
+        if (is_uncertain[i]) {
             Exact at = {{high[0][i], low[0][i]}, {high[1][i], low[1][i]}, {high[2][i], low[2][i]}};
             v[i] = cross_dot(row, &at) / length;
         }
@@ -106,10 +106,10 @@ static WidePair normal_dot_accurate(const PlaneRow *plane, global const real *ro
                 (plane->x * l.x + plane->y * l.y + plane->z * l.z));
     WidePair value = wide_sum(xyz.high, low);
     Wide bound = ACCURATE_ERROR(*plane) * wide_magnitudes(h);
-    WideMask doubt = active & IS(fabs(value.high) <= WIDE_DOUBT * bound);
-    if (ANY(TO_MASK(doubt))) {
-        value.high = settle_dot(value.high, row, plane->length, x, doubt);
-        value.low = doubt ? (Wide)0 : value.low;
+    WideMask uncertain = active & IS(fabs(value.high) <= PAIRS_LIMIT * bound);
+    if (ANY(TO_MASK(uncertain))) {
+        value.high = resolve_dot_exactly(value.high, row, plane->length, x, uncertain);
+        value.low = uncertain ? (Wide)0 : value.low;
     }
     return value;
 }
@@ -120,11 +120,11 @@ static Wide plane_distance(const World *world, int face, const PlaneRow *plane, 
     global const real *row = face_row(world, face);
     WideVec x = from_vertex(row, point);
     Wide value = normal_dot(plane, x);
-    WideMask doubt = active & IS(fabs(value) <= PLAIN_ERROR(*plane) * wide_magnitudes(x));
-    if (!ANY(TO_MASK(doubt)))
+    WideMask uncertain = active & IS(fabs(value) <= PLAIN_ERROR(*plane) * wide_magnitudes(x));
+    if (!ANY(TO_MASK(uncertain)))
         return value;
     WidePairs exactly = from_vertex_exactly(row, point);
-    return settle_dot(value, row, plane->length, &exactly, doubt);
+    return resolve_dot_exactly(value, row, plane->length, &exactly, uncertain);
 }
 
 NOINLINE wide resolve_distance_exactly(global const real *row, const wide *point)
@@ -170,16 +170,16 @@ static PlaneHit plane_hit(const World *world, int face, const WideVec *origin, c
 {
     PlaneRow plane = plane_row(world, face);
     PlaneHit hit;
-    WideMask doubt = active;
+    WideMask uncertain = active;
     if (!PLAIN_IS_POOR) {
         WideVec x = from_vertex(face_row(world, face), *origin);
         Wide approach = normal_dot(&plane, *direction);
         hit.distance = normal_dot(&plane, x);
         hit.t = -hit.distance / approach;
-        doubt &= IS(fabs(hit.distance) <= PLAIN_DOUBT * wide_magnitudes(x)) |
-                 IS(fabs(approach) <= PLAIN_DOUBT * wide_magnitudes(*direction));
+        uncertain &= IS(fabs(hit.distance) <= PLAIN_LIMIT * wide_magnitudes(x)) |
+                 IS(fabs(approach) <= PLAIN_LIMIT * wide_magnitudes(*direction));
     }
-    if (ANY(TO_MASK(doubt)))
+    if (ANY(TO_MASK(uncertain)))
         plane_hit_accurate(&hit, &plane, face_row(world, face), origin, direction, active);
     return hit;
 }
@@ -195,8 +195,8 @@ static PlaneHit plane_hit_from_point(const World *world, int face, const WideVec
     wide x = first_wide(origin->x) - row[0], y = first_wide(origin->y) - row[4], z = first_wide(origin->z) - row[8];
     wide distance = plane.x * x + plane.y * y + plane.z * z;
     Wide approach = normal_dot(&plane, *direction);
-    if (fabs(distance) <= PLAIN_DOUBT * (fabs(x) + fabs(y) + fabs(z)) ||
-        ANY(TO_MASK(active & IS(fabs(approach) <= PLAIN_DOUBT * wide_magnitudes(*direction)))))
+    if (fabs(distance) <= PLAIN_LIMIT * (fabs(x) + fabs(y) + fabs(z)) ||
+        ANY(TO_MASK(active & IS(fabs(approach) <= PLAIN_LIMIT * wide_magnitudes(*direction)))))
         return plane_hit(world, face, origin, direction, active);
     PlaneHit hit = {(Wide)distance, -distance / approach};
     return hit;

@@ -16,18 +16,18 @@ static WideVec point_shifted(const World *world, int face, const PlaneRow *plane
                              WideVec point)
 {
     global const real *row = face_row(world, face);
-    Wide height, doubt;
+    Wide height, slack;
     if (PLAIN_IS_POOR) {
         WidePairs x = from_vertex_exactly(row, point);
         height = normal_dot_accurate(plane, row, &x, (WideMask)-1).high;
-        doubt = ACCURATE_ERROR(*plane) * wide_magnitudes(x.high);
+        slack = ACCURATE_ERROR(*plane) * wide_magnitudes(x.high);
     } else {
         WideVec x = from_vertex(row, point);
         height = normal_dot(plane, x);
-        doubt = PLAIN_ERROR(*plane) * wide_magnitudes(x);
+        slack = PLAIN_ERROR(*plane) * wide_magnitudes(x);
     }
     height = with_normal ? -height : height;
-    Wide margin = 2 * WIDE_ROUNDING * wide_magnitudes(point) + 12 * WIDE_ROUNDING * fabs(height) + doubt;
+    Wide margin = 2 * WIDE_ROUNDING * wide_magnitudes(point) + 12 * WIDE_ROUNDING * fabs(height) + slack;
     margin = margin > (Wide)SHIFT_FLOOR ? margin : (Wide)SHIFT_FLOOR;
     return wide_add(point, wide_scale(margin - height, n));
 }

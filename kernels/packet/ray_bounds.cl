@@ -20,7 +20,7 @@ typedef struct Slab {
 typedef struct RayBounds {
     Slab slabs[3];
     real reach; /* no ray of the bundle goes farther than this */
-    int left_out[3]; /* for each axis: the SIDE_KEY of the sides of closed boxes that need not be asked */
+    int culled_sides[3]; /* for each axis: the SIDE_KEY of the sides of closed boxes that need not be asked */
 } RayBounds;
 
 #define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING)) /* more than the rounding of what follows could take away */
@@ -45,7 +45,7 @@ INLINE Slab slab(real origin_low, real origin_high, real low, real high)
 INLINE void bounds_keep_sides(RayBounds *b)
 {
     for (int axis = 0; axis < 3; axis++)
-        b->left_out[axis] = NO_SIDE_KEY;
+        b->culled_sides[axis] = NO_SIDE_KEY;
 }
 
 /* Leaves out the sides of closed boxes that all rays, outside of them, meet after another side: what is a back to all of them.
@@ -56,7 +56,7 @@ INLINE void bounds_cull_sides(RayBounds *b, bool reversed)
     for (int axis = 0; axis < 3; axis++) {
         int sign = b->slabs[axis].sign;
         if (sign != 0)
-            b->left_out[axis] = SIDE_KEY(2 * axis + ((sign > 0) != reversed));
+            b->culled_sides[axis] = SIDE_KEY(2 * axis + ((sign > 0) != reversed));
     }
 }
 
@@ -72,13 +72,13 @@ INLINE RayBounds bounds_within(const Apex *a, const real *low, const real *high)
     return b;
 }
 
-/* Rays from an apex. spread: no component of an exact direction is farther from the pencils'. */
-INLINE RayBounds bounds_from(const Apex *a, const OriginPacket *pencils, int packets, real spread)
+/* Rays from an apex. spread: no component of an exact direction is farther from the packets'. */
+INLINE RayBounds bounds_from(const Apex *a, const OriginPacket *packets, int packet_count, real spread)
 {
     Lanes all = (Lanes)REACH_ALL, low[3] = {all, all, all}, high[3] = {-all, -all, -all};
-    EACH_OF(p, packets) {
-        Mask active = pencils[p].active;
-        Vec d = pencils[p].ahead;
+    EACH_OF(p, packet_count) {
+        Mask active = packets[p].active;
+        Vec d = packets[p].ahead;
         Lanes xyz[3] = {d.x, d.y, d.z};
         for (int axis = 0; axis < 3; axis++) {
             low[axis] = (active & IS(xyz[axis] < low[axis])) ? xyz[axis] : low[axis];

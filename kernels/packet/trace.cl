@@ -1,4 +1,12 @@
-/* A tile of rays followed from face to face, in packets. */
+/* Traces the rays of a tile from face to face.
+ *
+ *     for each bounce
+ *         find the nearest faces; rays that miss all faces bring the background
+ *         shade the hits, and add their colours, weighted by the mirrors before them
+ *         reflect the rays of the paths that go on
+ *
+ * Rays from the eye have it for their common apex. Rays that a plane mirror reflects come from the image of the apex in it, so that
+ * those of one image are searched together, too. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -16,10 +24,8 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* The faces that each lane's ray met, in order, kept for adaptive sampling: -1 where it left the scene, TRAIL_ENDED where its
- * path had ended before. */
-#if ADAPTIVE
-#define TRACE NOINLINE /* called twice, but compiled once */
+/* The faces that the rays of a packet have met, bounce by bounce, for adaptive sampling. A face is -1 where the ray left the scene,
+ * and TRAIL_ENDED where its path had ended before. */
 #define TRAIL_ENDED -2
 
 typedef struct Trail {
@@ -27,132 +33,132 @@ typedef struct Trail {
     int count;
 } Trail;
 
-INLINE void trail_add(Trail *trails, int p, Mask faces, Mask active)
+/* Where the rays from the eye start. */
+typedef struct Eye {
+    const wide *point;
+    const Apex *apex;
+    const RayBounds *bounds; /* of all rays of the tile */
+} Eye;
+
+/* The lanes of packet p whose rays come from that image of the eye. What is one image in exact arithmetic, rounding makes several,
+ * which lie close together. */
+INLINE Mask lanes_of_image(const Path *path, const Ray *ray, WideVec image)
 {
-    if (trails)
-        trails[p].faces[trails[p].count++] = active ? faces : (Mask)TRAIL_ENDED;
+    WideVec from = wide_sub(ray->origin, image), apart = wide_sub(path->apex, image);
+    Wide same = (256 * WIDE_ROUNDING) * (wide_magnitudes(image) + wide_magnitudes(from));
+    return TO_MASK(IS(wide_magnitudes(apart) <= same));
 }
-#else
-#define TRACE static
 
-typedef int Trail;
+/* Where the rays begin, as t from the image. Returns how far their lines pass from it. */
+INLINE Lanes begin_after_mirror(const Ray *ray, WideVec image, Nearest *nearest)
+{
+    WideVec from = wide_sub(ray->origin, image), d = ray->direction;
+    Wide begin = wide_dot(from, d) / (PLAIN_IS_POOR ? (Wide)1 : wide_dot(d, d)); /* in double d is a unit vector */
+    nearest->begin = TO_REAL(begin);
+    nearest->limit = 1 / nearest->begin;
+    WideVec off = wide_sub(from, wide_scale(begin, d));
+    Wide rounding = (16 * WIDE_ROUNDING) * (wide_magnitudes(image) + wide_magnitudes(from));
+    return TO_REAL(wide_magnitudes(off) + rounding) * (1 + 4 * REAL_ROUNDING);
+}
 
-INLINE void trail_add(Trail *trails, int p, Mask faces, Mask active) {}
-#endif
-
-/* The nearest faces of rays that come from images of the eye: those that share one are searched together. */
-INLINE void find_reflected(const World *world, const Path *paths, const Ray *rays, real length, const Traversal *left,
-                           OriginPacket *pencils, Nearest *nearest, Mask *close)
+/* Finds the nearest faces of rays that come from images of the eye, one image after another. length: no direction is longer. */
+INLINE void find_reflected(const World *world, const Path *paths, real length, const Traversal *resume, const Group *g)
 {
     Mask rest[PACKETS];
     EACH_PACKET(p)
         rest[p] = paths[p].active;
     while (any_packet(rest)) {
-        int first = 0;
-        while (!ANY(rest[first]))
-            first++;
-        wide x[LANES], y[LANES], z[LANES];
-        STORE(paths[first].apex.x, x);
-        STORE(paths[first].apex.y, y);
-        STORE(paths[first].apex.z, z);
-        int lane = lowest_bit(mask_bits(rest[first]));
-        wide image[3] = {x[lane], y[lane], z[lane]};
-        WideVec at = wide_vec((Wide)image[0], (Wide)image[1], (Wide)image[2]);
+        int first = first_packet(rest), lane = lowest_bit(mask_bits(rest[first]));
+        WideVec apex = paths[first].apex;
+        wide image[3] = {wide_at(apex.x, lane), wide_at(apex.y, lane), wide_at(apex.z, lane)};
         Lanes spread = (Lanes)0;
         EACH_PACKET(p) {
-            pencils[p].active = (Mask)0;
+            OriginPacket *packet = g->packets + p;
+            packet->active = (Mask)0;
             if (!ANY(rest[p]))
                 continue;
-            /* What one image is, rounding tells apart; the bundle's spread covers it. */
-            WideVec origin = rays[p].origin, from = wide_sub(origin, at), apart = wide_sub(paths[p].apex, at);
-            Wide same = (256 * WIDE_ROUNDING) * (wide_magnitudes(at) + wide_magnitudes(from));
-            pencils[p].active = rest[p] & TO_MASK(IS(wide_magnitudes(apart) <= same));
-            rest[p] &= ~pencils[p].active;
-            WideVec d = rays[p].direction;
-            Wide begin = wide_dot(from, d) / (PLAIN_IS_POOR ? (Wide)1 : wide_dot(d, d)); /* in double d is a unit vector */
-            WideVec off = wide_sub(from, wide_scale(begin, d));
-            Wide rounding = (16 * WIDE_ROUNDING) * (wide_magnitudes(at) + wide_magnitudes(from));
-            Lanes s = TO_REAL(wide_magnitudes(off) + rounding) * (1 + 4 * REAL_ROUNDING);
-            spread = (pencils[p].active & IS(s > spread)) ? s : spread;
-            nearest[p].begin = TO_REAL(begin);
-            nearest[p].limit = 1 / nearest[p].begin;
+            packet->active = rest[p] & lanes_of_image(paths + p, g->rays + p, wide_of(image));
+            rest[p] &= ~packet->active;
+            Lanes s = begin_after_mirror(g->rays + p, wide_of(image), g->nearest + p);
+            spread = (packet->active & IS(s > spread)) ? s : spread;
         }
         Apex a = apex_at(image, -lanes_lowest(-spread), length);
-        RayBounds all = bounds_from(&a, pencils, PACKETS, 0);
-        find_nearest_from(world, &a, pencils, rays, nearest, &all, left, false, close);
+        RayBounds bounds = bounds_from(&a, g->packets, PACKETS, 0);
+        find_nearest_from(world, &a, g, &bounds, resume, false);
     }
     EACH_PACKET(p)
-        close[p] = (Mask)-1; /* what is left out is proved for rays from the eye only */
+        g->uncertain[p] = (Mask)-1; /* culling closed boxes is proved for rays from the eye only */
 }
 
-/* The nearest faces of all paths; first from the eye, then from its images. left: what is left to be asked, or NULL: all. */
-INLINE void find_nearest(const World *world, const Apex *eye, const RayBounds *seen, const Path *paths,
-                         const Ray *rays, bool from_eye, const Traversal *left, Nearest *nearest, Mask *close)
+/* Finds the nearest faces of all paths. eye: where they come from; NULL: from its images. resume: as find_nearest_from. */
+INLINE void find_nearest(const World *world, const Eye *eye, bool from_eye, const Path *paths, const Traversal *resume,
+                         const Group *g)
 {
-    OriginPacket pencils[PACKETS];
     EACH_PACKET(p) {
-        nearest[p] = nothing_yet();
-        pencils[p] = no_origin_packet();
-        pencils[p].active = paths[p].active;
+        g->nearest[p] = nothing_yet();
+        g->packets[p] = no_origin_packet();
+        g->packets[p].active = paths[p].active;
         if (!ANY(paths[p].active))
             continue;
-        pencils[p].left = paths[p].left;
-        pencils[p].ahead = vec_to_real(rays[p].direction);
+        g->packets[p].from = paths[p].from;
+        g->packets[p].ahead = vec_to_real(g->rays[p].direction);
     }
     if (from_eye) {
-        find_nearest_from(world, eye, pencils, rays, nearest, seen, left, true, close);
+        find_nearest_from(world, eye->apex, g, eye->bounds, resume, true);
     } else {
-        real length = (PLAIN_IS_POOR ? 1 : eye->length) * (1 + 4 * REAL_ROUNDING);
-        find_reflected(world, paths, rays, length, left, pencils, nearest, close);
+        real length = (PLAIN_IS_POOR ? 1 : eye->apex->length) * (1 + 4 * REAL_ROUNDING);
+        find_reflected(world, paths, length, resume, g);
     }
 }
 
-/* Adds to each path's total its hits' illuminations, each weighted by the mirrors before it. The rays have been mirrored so
- * many times as `bounces` says; those from the eye, an apex, are the bundle `seen`. left: of the first search, as
- * find_nearest. trails: one per packet, or NULL. */
-TRACE void trace_paths(const World *world, const wide *eye, const Apex *apex, const RayBounds *seen, int bounces,
-                       Path *paths, Ray *rays, const Traversal *left, Trail *trails)
+/* Adds to each path's total the colours of its hits, each weighted by the mirrors before it. bounces: so many mirrors the rays have
+ * met already. resume: of the first search, as find_nearest_from. trails: of each packet, or NULL. */
+static void trace_paths(const World *world, const Eye *eye, int bounces, Path *paths, Ray *rays, const Traversal *resume,
+                       Trail *trails)
 {
     constant const Parameters *parameters = world->parameters;
     Vec background = vec_row(world->view + VIEW_BACKGROUND);
-    for (;; bounces++, left = 0) {
+    for (;; bounces++, resume = 0) {
+        OriginPacket packets[PACKETS];
         Nearest nearest[PACKETS];
-        Mask close[PACKETS];
-        find_nearest(world, apex, seen, paths, rays, bounces == 0, left, nearest, close);
+        Mask uncertain[PACKETS];
+        Group group = {PACKETS, packets, rays, nearest, uncertain};
+        find_nearest(world, eye, bounces == 0, paths, resume, &group);
 
         Surface surfaces[PACKETS];
-        ApproxPoint approx[PACKETS];
-        Vec v[PACKETS], illumination[PACKETS];
-        Mask active[PACKETS], lit[PACKETS];
-        const wide *one_apex = bounces == 0 ? eye : 0;
+        Mask active[PACKETS];
+        const wide *apex = bounces == 0 ? eye->point : 0;
         LazyPoints points;
         begin_points(world, &points, rays, nearest, active, bounces == 0);
         EACH_PACKET(p) {
             Path *path = paths + p;
-            trail_add(trails, p, nearest[p].face, path->active);
+            if (trails)
+                trails[p].faces[trails[p].count++] = path->active ? nearest[p].face : (Mask)TRAIL_ENDED;
             Mask missed = path->active & IS(nearest[p].face < (Mask)0);
-            path->total = vec_select(missed, vec_add(path->total, vec_scale(path->weight, background)), path->total);
+            path_add(path, missed, background);
             path->active &= ~missed;
             active[p] = path->active;
             if (!ANY(path->active))
                 continue;
-            Vec ahead = vec_to_real(rays[p].direction);
-            find_surface(world, nearest + p, path->active, ahead, one_apex, &path->apex, surfaces + p, approx + p);
-            v[p] = look_back(world, eye, approx + p, ahead, bounces == 0, from_apexes(eye, one_apex, &path->apex), &points, p);
+            Vec ahead = vec_to_real(rays[p].direction), eye_from_apex = from_apexes(eye->point, apex, &path->apex);
+            find_surface(world, nearest + p, path->active, ahead, apex, &path->apex, surfaces + p);
+            surfaces[p].to_viewer =
+                find_viewer(world, eye->point, surfaces + p, ahead, bounces == 0, eye_from_apex, &points, p);
         }
         if (!any_packet(active))
             return;
-        shade(world, surfaces, approx, one_apex, paths, &points, close, v, active, illumination, lit);
+        Illumination sums[PACKETS];
+        shade(world, surfaces, apex, paths, &points, uncertain, sums);
 
         EACH_PACKET(p) {
             Path *path = paths + p;
             if (!ANY(path->active))
                 continue;
-            path->total = vec_select(path->active, vec_add(path->total, vec_scale(path->weight, illumination[p])), path->total);
+            path_add(path, path->active, sums[p].colour);
             if (bounces == parameters->max_bounces)
                 continue;
             if (!parameters->shadow_ambient)
-                path->active &= lit[p];
+                path->active &= sums[p].lit;
             path->active &= IS(surfaces[p].reflection > (Lanes)0);
             drop_weak(world, path, surfaces[p].reflection);
             active[p] = path->active;
@@ -161,13 +167,12 @@ TRACE void trace_paths(const World *world, const wide *eye, const Apex *apex, co
             return;
         EACH_PACKET(p) {
             Path *path = paths + p;
-            const Surface *surface = surfaces + p;
             if (!ANY(path->active))
                 continue;
             world->counters[COUNT_REFLECTION] += mask_count(path->active);
             reflect(&points, p, path->active, rays + p, &path->apex);
-            path->weight = path->weight * surface->reflection;
-            path->left = surface->face;
+            path->weight = path->weight * surfaces[p].reflection;
+            path->from = surfaces[p].face;
         }
     }
 }

@@ -19,6 +19,7 @@ static Vec vec(Lanes x, Lanes y, Lanes z)
 static Vec vec_row(global const real *row) { return vec((Lanes)row[0], (Lanes)row[1], (Lanes)row[2]); }
 static Vec vec_add(Vec a, Vec b) { return vec(a.x + b.x, a.y + b.y, a.z + b.z); }
 static Vec vec_sub(Vec a, Vec b) { return vec(a.x - b.x, a.y - b.y, a.z - b.z); }
+static Vec vec_minus(Vec a) { return vec(-a.x, -a.y, -a.z); }
 static Vec vec_scale(Lanes s, Vec a) { return vec(s * a.x, s * a.y, s * a.z); }
 static Vec vec_multiply(Vec a, Vec b) { return vec(a.x * b.x, a.y * b.y, a.z * b.z); }
 static Lanes vec_dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -49,8 +50,14 @@ static WideVec wide_vec(Wide x, Wide y, Wide z)
     return v;
 }
 
+/* A point that all lanes have in common. */
+static WideVec wide_of(const wide *p) { return wide_vec((Wide)p[0], (Wide)p[1], (Wide)p[2]); }
+
+static wide magnitudes_of(const wide *p) { return fabs(p[0]) + fabs(p[1]) + fabs(p[2]); }
+
 static WideVec wide_add(WideVec a, WideVec b) { return wide_vec(a.x + b.x, a.y + b.y, a.z + b.z); }
 static WideVec wide_sub(WideVec a, WideVec b) { return wide_vec(a.x - b.x, a.y - b.y, a.z - b.z); }
+static WideVec wide_minus(WideVec a) { return wide_vec(-a.x, -a.y, -a.z); }
 static WideVec wide_scale(Wide s, WideVec a) { return wide_vec(s * a.x, s * a.y, s * a.z); }
 static Wide wide_dot(WideVec a, WideVec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 static Wide wide_magnitudes(WideVec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }

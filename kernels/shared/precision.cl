@@ -10,14 +10,14 @@ typedef double4 wide4;
 #define WIDE_ROUNDING 0x1p-53
 #define WIDE_MIN DBL_MIN
 #define WIDE_MAX DBL_MAX
-#define WIDE_DOUBT 0x1p24 /* times the bound of arithmetic in pairs: below it, fewer than 24 bits are sure */
+#define PAIRS_LIMIT 0x1p24 /* times the bound of arithmetic in pairs: below it, fewer than 24 bits are sure */
 #else
 typedef float wide;
 typedef float4 wide4;
 #define WIDE_ROUNDING 0x1p-24f
 #define WIDE_MIN FLT_MIN
 #define WIDE_MAX FLT_MAX
-#define WIDE_DOUBT 0x1p6f
+#define PAIRS_LIMIT 0x1p6f
 #endif
 
 #if REAL_DOUBLE

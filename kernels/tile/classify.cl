@@ -16,7 +16,7 @@
 #include "packet/world.cl"
 #include "tile/frustum.cl"
 
-#define CLASSIFIES_TILES (HAS_APPROX && !ADAPTIVE && PACKETS > 1)
+#define CLASSIFIES_TILES (HAS_APPROX && PACKETS > 1)
 
 #if !CLASSIFIES_TILES
 

@@ -155,7 +155,7 @@ INLINE ShadowClass classify_shadow(const World *world, const Apex *light, const 
     if (cull_boxes)
         bounds_cull_sides(&b, true);
     *stack = stack_of(world, &b);
-    real doubt = DOUBT_OF(spread / light->length);
+    real doubt = SLACK_OF(spread / light->length);
     uint asked = 0, backs = 0;
     ShadowClass shade = LIT;
     for (int first, count; shade == LIT && next_leaf(world, &b, lanes, stack, &first, &count);) {

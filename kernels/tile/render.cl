@@ -92,7 +92,8 @@ INLINE void render_tile(const World *world, const Apex *apex, const Camera *came
 #endif
             if (!done) {
                 RayBounds seen = bounds_of_frustum(apex, &corners, 0);
-                trace_paths(world, camera->eye, apex, &seen, bounces, paths, rays, left, 0);
+                Eye eye = {camera->eye, apex, &seen};
+                trace_paths(world, &eye, bounces, paths, rays, left, 0);
             }
             EACH_PACKET(k)
                 sum[k] = vec_add(sum[k], paths[k].total);

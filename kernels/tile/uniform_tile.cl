@@ -48,7 +48,7 @@ NOINLINE void rays_after_mirrors(const World *world, const MirrorChain *chain, P
         rays[p].origin = wide_vec((Wide)camera.eye[0], (Wide)camera.eye[1], (Wide)camera.eye[2]);
         rays[p].direction = camera_direction(&camera, chain->places, p);
         paths[p].apex = rays[p].origin;
-        paths[p].left = (Mask)(chain->bounces > 0 ? chain->mirrors[chain->bounces - 1] : -1);
+        paths[p].from = (Mask)(chain->bounces > 0 ? chain->mirrors[chain->bounces - 1] : -1);
         all[p] = (Mask)-1;
     }
     for (int i = 0; i < chain->bounces; i++) {
@@ -70,29 +70,30 @@ NOINLINE bool find_shadow(const World *world, const MirrorChain *chain, const Fa
     Path paths[PACKETS];
     Ray rays[PACKETS];
     Nearest nearest[PACKETS];
-    Mask all[PACKETS], close[PACKETS], rest[PACKETS];
-    OriginPacket pencils[PACKETS];
+    Mask all[PACKETS], uncertain[PACKETS], rest[PACKETS];
+    OriginPacket packets[PACKETS];
     Vec light = from_apexes(position, chain->camera.eye, 0);
     EACH_PACKET(p) {
         Vec ahead, l;
         Lanes share;
         ApproxPoint approx = approx_on_facet(f, chain->places, p, &ahead);
         rest[p] = asking[p].active;
-        if (!approx_towards(&approx, light, rest[p], &l, &pencils[p].per_end, &share))
+        if (!approx_towards(&approx, light, rest[p], &l, &packets[p].per_end, &share))
             return false;
-        pencils[p].ahead = vec(-l.x, -l.y, -l.z);
-        pencils[p].doubt = DOUBT_OF(share);
-        pencils[p].active = (Mask)0;
-        pencils[p].left = (Mask)f->face;
+        packets[p].ahead = vec(-l.x, -l.y, -l.z);
+        packets[p].slack = SLACK_OF(share);
+        packets[p].active = (Mask)0;
+        packets[p].from = (Mask)f->face;
         all[p] = (Mask)-1;
-        close[p] = (Mask)(chain->bounces > 0 ? -1 : 0);
+        uncertain[p] = (Mask)(chain->bounces > 0 ? -1 : 0);
         nearest[p].face = (Mask)f->face;
         nearest[p].with_normal = (Mask)(f->sign < 0 ? -1 : 0);
     }
     rays_after_mirrors(world, chain, paths, rays);
     LazyPoints points;
     begin_points(world, &points, rays, nearest, all, chain->bounces == 0);
-    find_blocked(world, position, pencils, &points, close, rest, stack, blocked);
+    ShadowGroup group = {position, packets, &points, blocked};
+    find_blocked(world, &group, rest, uncertain, stack);
     return true;
 }
 

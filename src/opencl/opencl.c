@@ -75,6 +75,9 @@ static Parameters parameters_of(const OpenclScene *held)
 {
     Parameters parameters = opencl_parameters(&held->pruned.scene);
     parameters.no_skip = (int)held->session.no_skip;
+    /* A bounce is weak where it cannot change a byte: that needs bytes, and pixels of one path each. */
+    if (held->session.linear || held->session.adaptive)
+        parameters.no_skip |= 1 << SKIP_WEAK_BOUNCE;
     if (held->session.adaptive)
         parameters.generator = adaptive_generator(adaptive_samples(held->pruned.scene.grid));
     return parameters;

@@ -38,7 +38,7 @@ kernel void probe_counts(constant Parameters *parameters, global const FaceRecor
     for (int face = 0; face < parameters->face_count; face++) {
         World world = {parameters, faces + face, edges + face * FACE_REALS, planes + face * PLANE_REALS, 1, 0, 0, 0, 0, 0, counters};
         Ray ray = probe_ray(rays, i);
-        Hit hit = find_nearest_of_pencil(&world, &ray, (Mask)-1);
+        Hit hit = find_nearest_from_point(&world, &ray, (Mask)-1);
         count += ANY(IS(hit.face >= (Mask)0));
     }
     counts[i] = count;
@@ -55,22 +55,23 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     uint counters[COUNTER_KINDS] = {0};
     World world = {parameters, faces, edges, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
     wide target[3] = {segments[6 * i + 3], segments[6 * i + 4], segments[6 * i + 5]};
-    OriginPacket pencils[PACKETS];
+    OriginPacket packets[PACKETS];
     LazyPoints points;
-    Nearest nearest[PACKETS]; /* not asked for: the points are told */
+    Nearest nearest[PACKETS]; /* not asked for: the points are ready */
     Mask asking[PACKETS], found[PACKETS];
     begin_points(&world, &points, 0, nearest, asking, false);
     EACH_PACKET(p) {
         points.ready[p] = (Mask)-1;
         points.shifted[p] = probe_vec(segments, i);
         asking[p] = p == 0 ? (Mask)-1 : (Mask)0;
-        pencils[p].left = (Mask)left[i];
-        aim_from_light(pencils + p, target, points.shifted[p]);
+        packets[p].from = (Mask)left[i];
+        aim_from_light(packets + p, target, points.shifted[p]);
     }
-    Mask close[PACKETS]; /* nothing is left out */
+    Mask uncertain[PACKETS]; /* nothing is left out */
     EACH_PACKET(p)
-        close[p] = (Mask)-1;
-    find_blocked(&world, target, pencils, &points, close, asking, 0, found);
+        uncertain[p] = (Mask)-1;
+    ShadowGroup group = {target, packets, &points, found};
+    find_blocked(&world, &group, asking, uncertain, 0);
     blocked[i] = ANY(found[0]);
 }
 
@@ -86,7 +87,7 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     uint counters[COUNTER_KINDS] = {0};
     World world = {parameters, faces, edges, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
     Ray ray = probe_ray(rays, i);
-    Hit hit = find_nearest_of_pencil(&world, &ray, (Mask)-1);
+    Hit hit = find_nearest_from_point(&world, &ray, (Mask)-1);
     MaskElement face[LANES];
     wide parameter[LANES];
     STORE(hit.face, face);
@@ -99,10 +100,10 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     nearest.face = hit.face;
     nearest.with_normal = hit.with_normal;
     Mask active = (Mask)-1;
-    LazyPoints told;
-    begin_points(&world, &told, &ray, &nearest, &active, true);
-    need_points(&told, 0, active);
-    WideVec point = told.point[0], shifted = told.shifted[0];
+    LazyPoints lazy;
+    begin_points(&world, &lazy, &ray, &nearest, &active, true);
+    need_points(&lazy, 0, active);
+    WideVec point = lazy.point[0], shifted = lazy.shifted[0];
     Wide numbers[6] = {point.x, point.y, point.z, shifted.x, shifted.y, shifted.z};
     for (int k = 0; k < 6; k++) {
         wide number[LANES];
@@ -132,14 +133,15 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
     for (int k = 3; k < 6; k++)
         length += (real)fabs(rays[6 * i + k]);
     Apex apex = apex_at(eye, 0, length * (1 + 4 * REAL_ROUNDING));
-    OriginPacket pencils[PACKETS];
+    OriginPacket packets[PACKETS];
     EACH_PACKET(p) {
-        pencils[p].active = paths[p].active;
-        pencils[p].ahead = vec_to_real(rays_of[p].direction);
+        packets[p].active = paths[p].active;
+        packets[p].ahead = vec_to_real(rays_of[p].direction);
     }
-    RayBounds seen = bounds_from(&apex, pencils, PACKETS, 0);
+    RayBounds seen = bounds_from(&apex, packets, PACKETS, 0);
     begin_paths(paths, rays_of);
-    trace_paths(&world, eye, &apex, &seen, 0, paths, rays_of, 0, 0);
+    Eye from = {eye, &apex, &seen};
+    trace_paths(&world, &from, 0, paths, rays_of, 0, 0);
     Vec colour = paths[0].total;
     Lanes numbers[3] = {colour.x, colour.y, colour.z};
     for (int k = 0; k < 3; k++) {
