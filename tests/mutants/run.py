@@ -81,14 +81,16 @@ def try_mutant(folder, mutant):
 
 
 def undo(folder, file):
-    """The mutant's objects must not stay: what depends on the file is made anew from the build's objects."""
-    names = [f"{file[:-2]}.o"] if file.endswith(".c") else ["kernel_sources.c", "kernel_sources.o"]
+    """The mutant's objects must not stay: what depends on the file is taken from the build again."""
+    names = ["librectray.a", "stress", "rectray"]
+    if file.startswith("kernels/"):
+        names += ["kernel_sources.c", "kernel_sources.o"]
+    if file.endswith(".c"):
+        names.append(f"{file[:-2]}.o")
     if file.endswith(".h"):
-        names = [os.path.relpath(path, "build") for path in glob.glob("build/src/**/*.o", recursive=True)]
-    for name in [*names, "librectray.a"]:
+        names += [os.path.relpath(path, "build") for path in glob.glob("build/src/**/*.o", recursive=True)]
+    for name in names:
         subprocess.run(["cp", "-a", f"build/{name}", f"{folder}/build/{name}"], check=True)
-    for program in ["stress", "rectray"]:
-        subprocess.run(["cp", "-a", f"build/{program}", f"{folder}/build/{program}"], check=True)
     shutil.rmtree(f"{folder}/build/tests", ignore_errors=True)
     subprocess.run(["cp", "-a", "build/tests", f"{folder}/build/tests"], check=True)
 
@@ -104,7 +106,7 @@ def work(number, waiting, results):
         killed, why = try_mutant(folder, mutant)
         results.append((mutant, killed, why))
         verdict = "killed  " if killed else "SURVIVED"
-        print(f"  {verdict} {mutant[0]:28} {mutant[1]:20} {mutant[2]:22} {why}", flush=True)
+        print(f"  {verdict} {mutant[0]:34} {mutant[1]:30} {mutant[2]:22} {why}", flush=True)
 
 
 def main():
