@@ -1,9 +1,34 @@
-/* The same work on several threads at once. */
+/* The same work on several threads at once, by POSIX threads. */
 #ifdef __linux__
 #define _GNU_SOURCE /* sched_getaffinity and its like */
 #endif
 
 #include "base/parallel.h"
+
+#if defined(RECTRAY_NO_THREADS) || defined(__wasi__) || (defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__))
+
+int parallel_threads(int wanted)
+{
+    (void)wanted;
+    return 1;
+}
+
+bool parallel_may_use_all(void) { return false; }
+
+void parallel_for(int wanted, int count, void (*work)(void *data, int i, int thread), void *data)
+{
+    (void)wanted;
+    for (int i = 0; i < count; i++)
+        work(data, i, 0);
+}
+
+void parallel_run(int threads, void (*work)(void *data), void *data)
+{
+    (void)threads;
+    work(data);
+}
+
+#else
 
 #include <pthread.h>
 #include <sched.h>
@@ -99,3 +124,41 @@ void parallel_run(int threads, void (*work)(void *data), void *data)
     for (int i = 0; i < started; i++)
         pthread_join(others[i], 0);
 }
+
+/* --- Pieces of work --- */
+
+typedef struct Loop {
+    void (*work)(void *data, int i, int thread);
+    void *data;
+    int count;
+    int next, threads; /* guarded by the lock: the next piece, and the threads that have begun */
+    pthread_mutex_t lock;
+} Loop;
+
+/* The value of one of the loop's counters, which goes on by one. */
+static int take(Loop *loop, int *counter)
+{
+    pthread_mutex_lock(&loop->lock);
+    int value = (*counter)++;
+    pthread_mutex_unlock(&loop->lock);
+    return value;
+}
+
+static void take_pieces(void *data)
+{
+    Loop *loop = data;
+    int thread = take(loop, &loop->threads);
+    for (int i; (i = take(loop, &loop->next)) < loop->count;)
+        loop->work(loop->data, i, thread);
+}
+
+void parallel_for(int wanted, int count, void (*work)(void *data, int i, int thread), void *data)
+{
+    Loop loop = {.work = work, .data = data, .count = count};
+    int threads = parallel_threads(wanted);
+    pthread_mutex_init(&loop.lock, NULL);
+    parallel_run(threads < count ? threads : count, take_pieces, &loop);
+    pthread_mutex_destroy(&loop.lock);
+}
+
+#endif

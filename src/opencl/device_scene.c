@@ -6,12 +6,12 @@
 #include "base/parallel.h"
 
 #include <float.h>
-#include <pthread.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MIN_PARALLEL = 1 << 14 }; /* fewer faces are packed sooner than threads start */
+/* Fewer faces are packed sooner than threads start; a thread takes so many at a time. */
+enum { MIN_PARALLEL = 1 << 14, PIECE = 4096 };
 
 /* The longest path has its place on the device. */
 typedef char PathMaxIsTheScenes[PATH_MAX == SCENE_MAX_BOUNCES + 1 ? 1 : -1];
@@ -186,25 +186,15 @@ typedef struct Packing {
     const Scene *scene;
     const unsigned char *closed;
     const int *order;
-    int next; /* guarded by the lock */
-    pthread_mutex_t lock;
 } Packing;
 
-static void pack_faces(void *argument)
+static void pack_piece(void *data, int piece, int thread)
 {
-    enum { EACH = 4096 };
-    Packing *packing = argument;
-    int count = packing->scene->face_count;
-    for (;;) {
-        pthread_mutex_lock(&packing->lock);
-        int first = packing->next, end = count - first < EACH ? count : first + EACH;
-        packing->next = end;
-        pthread_mutex_unlock(&packing->lock);
-        if (first == count)
-            return;
-        for (int i = first; i < end; i++)
-            pack_face(packing->packed, packing->scene, packing->closed, packing->order ? packing->order[i] : i, i);
-    }
+    const Packing *packing = data;
+    int count = packing->scene->face_count, first = piece * PIECE, end = count - first < PIECE ? count : first + PIECE;
+    (void)thread;
+    for (int i = first; i < end; i++)
+        pack_face(packing->packed, packing->scene, packing->closed, packing->order ? packing->order[i] : i, i);
 }
 
 bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order, int threads,
@@ -223,9 +213,8 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned c
         return false;
 
     Packing packing = {.packed = packed, .scene = scene, .closed = closed, .order = order};
-    pthread_mutex_init(&packing.lock, NULL);
-    parallel_run(scene->face_count < MIN_PARALLEL ? 1 : parallel_threads(threads), pack_faces, &packing);
-    pthread_mutex_destroy(&packing.lock);
+    int pieces = (int)((faces + PIECE - 1) / PIECE);
+    parallel_for(scene->face_count < MIN_PARALLEL ? 1 : threads, pieces, pack_piece, &packing);
     for (int i = 0; i < scene->light_count; i++)
         pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
     for (int i = 0; i < scene->material_count; i++)

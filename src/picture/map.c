@@ -6,7 +6,6 @@
 #include "base/parallel.h"
 #include "trace/reference.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 
 #define NOTHING (-1.0) /* the value of a pixel whose ray leaves the scene; all others are >= 0 */
@@ -17,8 +16,6 @@ typedef struct Map {
     MapKind kind;
     float *values;      /* one per pixel, for rays, time and depth */
     unsigned char *rgb; /* at once, for normals and faces */
-    int next_row;
-    pthread_mutex_t lock; /* of next_row */
 } Map;
 
 /* --- One pixel --- */
@@ -82,20 +79,12 @@ static void map_pixel(const Map *map, int column, int row)
 
 /* --- All of them --- */
 
-static int take_row(Map *map)
+static void map_row(void *data, int row, int thread)
 {
-    pthread_mutex_lock(&map->lock);
-    int row = map->next_row < map->scene->screen.rows ? map->next_row++ : -1;
-    pthread_mutex_unlock(&map->lock);
-    return row;
-}
-
-static void map_rows(void *argument)
-{
-    Map *map = argument;
-    for (int row; (row = take_row(map)) >= 0;)
-        for (int column = 0; column < map->scene->screen.columns; column++)
-            map_pixel(map, column, row);
+    const Map *map = data;
+    (void)thread;
+    for (int column = 0; column < map->scene->screen.columns; column++)
+        map_pixel(map, column, row);
 }
 
 static MapScale range_of(const float *values, size_t count)
@@ -147,9 +136,7 @@ bool map_draw(Image *image, const Scene *scene, MapKind kind, AccelKind accel_ki
     bool ok = accel_build(&accel, scene, accel_kind, threads, error);
     if (ok) {
         map.accel = &accel;
-        pthread_mutex_init(&map.lock, NULL);
-        parallel_run(parallel_threads(threads), map_rows, &map);
-        pthread_mutex_destroy(&map.lock);
+        parallel_for(threads, scene->screen.rows, map_row, &map);
         *scale = colours ? (MapScale){0, 0} : colour_values(&map, count);
     }
     accel_free(&accel);

@@ -7,7 +7,6 @@
 #include "base/parallel.h"
 
 #include <float.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,9 +27,8 @@ typedef struct Task {
 typedef struct Builder {
     Bvh *bvh;
     FaceBox *boxes;
-    pthread_mutex_t lock; /* guards the tasks */
     Task *tasks;
-    int task_count, next_task;
+    int task_count;
     int task_size; /* faces of a subtree small enough to be built by one thread */
 } Builder;
 
@@ -218,17 +216,11 @@ static void build_subtree(Builder *builder, Task task, bool set_aside)
     build_child(builder, (Task){node->first, task.first + left, task.count - left, task.depth + 1}, set_aside);
 }
 
-static void build_tasks(void *data)
+static void build_task(void *data, int i, int thread)
 {
     Builder *builder = data;
-    for (;;) {
-        pthread_mutex_lock(&builder->lock);
-        int i = builder->next_task++;
-        pthread_mutex_unlock(&builder->lock);
-        if (i >= builder->task_count)
-            return;
-        build_subtree(builder, builder->tasks[i], false);
-    }
+    (void)thread;
+    build_subtree(builder, builder->tasks[i], false);
 }
 
 bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error)
@@ -243,10 +235,8 @@ bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error)
         for (size_t i = 0; i < count; i++)
             builder.boxes[i] = (FaceBox){face_box(&scene->faces[i], &scene->planes[i]), (int)i};
         builder.task_size = scene->face_count / TASKS > MIN_TASK ? scene->face_count / TASKS : MIN_TASK;
-        pthread_mutex_init(&builder.lock, NULL);
         build_child(&builder, (Task){0, 0, scene->face_count, 0}, true);
-        parallel_run(parallel_threads(threads), build_tasks, &builder);
-        pthread_mutex_destroy(&builder.lock);
+        parallel_for(threads, builder.task_count, build_task, &builder);
     }
     free(builder.boxes);
     free(builder.tasks);

@@ -8,7 +8,6 @@
 #include "base/parallel.h"
 
 #include <limits.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,9 +34,7 @@ typedef struct Builder {
     Job *jobs; /* the subtrees set aside */
     int job_count, job_capacity;
     int job_size; /* the faces of a subtree small enough to be set aside; 0 while subtrees are built */
-    int next_job;
     int max_depth;
-    pthread_mutex_t lock; /* guards next_job */
 } Builder;
 
 static int add_node(Part *part, KdNode node)
@@ -140,17 +137,11 @@ static void build_job(Builder *builder, Job *job, Part *part)
     voxel_free(&job->voxel);
 }
 
-static void build_jobs(void *data)
+static void build_set_aside(void *data, int i, int thread)
 {
     Builder *builder = data;
-    for (;;) {
-        pthread_mutex_lock(&builder->lock);
-        int i = builder->next_job++;
-        pthread_mutex_unlock(&builder->lock);
-        if (i >= builder->job_count)
-            return;
-        build_job(builder, &builder->jobs[i], &builder->jobs[i].part);
-    }
+    (void)thread;
+    build_job(builder, &builder->jobs[i], &builder->jobs[i].part);
 }
 
 /* Appends a part's nodes as they are, but for the places to which they point. */
@@ -216,7 +207,7 @@ static bool build_all(Builder *builder, KdTree *tree, const Scene *scene, int th
     build_job(builder, &root, &top);
     builder->job_size = 0;
     if (!top.failed)
-        parallel_run(parallel_threads(threads), build_jobs, builder);
+        parallel_for(threads, builder->job_count, build_set_aside, builder);
     bool done = assemble_all(tree, builder, &top);
     free(top.nodes);
     free(top.order);
@@ -232,9 +223,7 @@ bool kdtree_build(KdTree *tree, const Scene *scene, int threads, Error *error)
         .job_size = count / SUBTREES > MIN_SUBTREE ? count / SUBTREES : MIN_SUBTREE,
         .max_depth = depth < KDTREE_MAX_DEPTH ? depth : KDTREE_MAX_DEPTH,
     };
-    pthread_mutex_init(&builder.lock, NULL);
     bool done = count <= INT_MAX / KDTREE_MAX_COPIES && build_all(&builder, tree, scene, threads);
-    pthread_mutex_destroy(&builder.lock);
     for (int i = 0; i < builder.job_count; i++) {
         voxel_free(&builder.jobs[i].voxel);
         free(builder.jobs[i].part.nodes);

@@ -6,7 +6,6 @@
 #include "base/parallel.h"
 #include "trace/reference.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,32 +16,9 @@ typedef struct Band {
     const Accel *accel;
     unsigned char *rgb;
     double *linear; /* the whole picture's, or NULL */
-    int first_row, row_count;
-    int next_row; /* guarded by the lock, as is the report */
-    pthread_mutex_t lock;
-    RenderReport *report;
+    int first_row;
+    RenderReport *counts; /* one per thread: what it has counted in this band */
 } Band;
-
-static int take_row(Band *band)
-{
-    pthread_mutex_lock(&band->lock);
-    int row = band->next_row < band->row_count ? band->next_row++ : -1;
-    pthread_mutex_unlock(&band->lock);
-    return row;
-}
-
-static void add_counts(Band *band, const RenderReport *counts)
-{
-    pthread_mutex_lock(&band->lock);
-    band->report->rays.primary += counts->rays.primary;
-    band->report->rays.shadow += counts->rays.shadow;
-    band->report->rays.reflection += counts->rays.reflection;
-    band->report->box_tests += counts->box_tests;
-    band->report->face_tests += counts->face_tests;
-    band->report->refined_pixels += counts->refined_pixels;
-    band->report->skipped[SKIP_LIGHT_BEHIND] += counts->skipped[SKIP_LIGHT_BEHIND];
-    pthread_mutex_unlock(&band->lock);
-}
 
 static void put_pixel(const Band *band, int column, int row, Vec3 colour)
 {
@@ -54,44 +30,52 @@ static void put_pixel(const Band *band, int column, int row, Vec3 colour)
         memcpy(band->linear + (size_t)band->first_row * (size_t)band->scene->screen.columns * 3 + at, rgb, sizeof rgb);
 }
 
-static void render_rows(void *argument)
+static void render_row(void *data, int row, int thread)
 {
-    Band *band = argument;
-    RenderReport counts = {0};
-    Tracer tracer = {.scene = band->scene, .accel = band->accel, .report = &counts};
-    int columns = band->scene->screen.columns;
-    for (int row; (row = take_row(band)) >= 0;)
-        for (int column = 0; column < columns; column++)
-            put_pixel(band, column, row, reference_pixel(&tracer, column, band->first_row + row));
-    add_counts(band, &counts);
+    const Band *band = data;
+    Tracer tracer = {.scene = band->scene, .accel = band->accel, .report = &band->counts[thread]};
+    for (int column = 0; column < band->scene->screen.columns; column++)
+        put_pixel(band, column, row, reference_pixel(&tracer, column, band->first_row + row));
+}
+
+static void add_counts(RenderReport *report, const RenderReport *counts)
+{
+    report->rays.primary += counts->rays.primary;
+    report->rays.shadow += counts->rays.shadow;
+    report->rays.reflection += counts->rays.reflection;
+    report->box_tests += counts->box_tests;
+    report->face_tests += counts->face_tests;
+    report->refined_pixels += counts->refined_pixels;
+    report->skipped[SKIP_LIGHT_BEHIND] += counts->skipped[SKIP_LIGHT_BEHIND];
+}
+
+/* Renders the band of so many rows, and adds its time and counts to the report. */
+static void render_band(Band *band, int rows, RenderReport *report)
+{
+    double start = clock_ms();
+    memset(band->counts, 0, (size_t)report->threads * sizeof *band->counts);
+    parallel_for(report->threads, rows, render_row, band);
+    for (int thread = 0; thread < report->threads; thread++)
+        add_counts(report, &band->counts[thread]);
+    report->trace_ms += clock_ms() - start;
 }
 
 /* Bands from the top, each handed to the sink when its rows are done. */
 static bool render_bands(const Scene *scene, const Accel *accel, double *linear, BandSink sink, RenderReport *report,
                          Error *error)
 {
-    size_t row_bytes = (size_t)scene->screen.columns * 3;
-    unsigned char *rgb = malloc(row_bytes * BAND_ROWS);
-    if (!rgb)
-        return error_memory(error, "a band of the picture");
-    bool ok = true;
+    Band band = {.scene = scene, .accel = accel, .linear = linear};
+    band.rgb = malloc((size_t)scene->screen.columns * 3 * BAND_ROWS);
+    band.counts = malloc((size_t)report->threads * sizeof *band.counts);
+    bool ok = (band.rgb && band.counts) || error_memory(error, "a band of the picture");
     for (int row = 0; ok && row < scene->screen.rows; row += BAND_ROWS) {
         int rows = scene->screen.rows - row < BAND_ROWS ? scene->screen.rows - row : BAND_ROWS;
-        Band band = {.scene = scene,
-                     .accel = accel,
-                     .rgb = rgb,
-                     .linear = linear,
-                     .first_row = row,
-                     .row_count = rows,
-                     .report = report};
-        double start = clock_ms();
-        pthread_mutex_init(&band.lock, NULL);
-        parallel_run(report->threads, render_rows, &band);
-        pthread_mutex_destroy(&band.lock);
-        report->trace_ms += clock_ms() - start;
-        ok = sink.band(sink.user, row, rows, rgb, report, error);
+        band.first_row = row;
+        render_band(&band, rows, report);
+        ok = sink.band(sink.user, row, rows, band.rgb, report, error);
     }
-    free(rgb);
+    free(band.rgb);
+    free(band.counts);
     return ok;
 }
 
