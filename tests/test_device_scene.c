@@ -43,7 +43,10 @@ static void light_position_should_travel_in_two_floats(void)
     Vec3 at = vec3(-1.6, 0.825, 4.6);
     small_scene_light(&small, at);
     TEST_ASSERT_TRUE_MESSAGE(
-        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+        device_scene_pack(&packed, &small.scene,
+                          &(DevicePacking){.precision = PRECISION_FLOAT, .wide = PRECISION_FLOAT, .threads = 1},
+                          &error),
+        error.text);
     const float *row = floats(&packed.lights);
     assert_split(at.x, row + LIGHT_POSITION, row + LIGHT_POSITION_LOW);
     assert_split(at.y, row + LIGHT_POSITION + 1, row + LIGHT_POSITION_LOW + 1);
@@ -55,7 +58,10 @@ static void normal_should_travel_in_two_floats_within_its_error(void)
     small_scene_material(&small, (Material){.reflection = 0});
     small_scene_face(&small, 0, face_triangle(vec3(6, 0, 0), vec3(0, 3, 0), vec3(0, 0, 3)));
     TEST_ASSERT_TRUE_MESSAGE(
-        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+        device_scene_pack(&packed, &small.scene,
+                          &(DevicePacking){.precision = PRECISION_FLOAT, .wide = PRECISION_FLOAT, .threads = 1},
+                          &error),
+        error.text);
     const float *row = floats(&packed.planes);
     const double exact[] = {1.0 / 3, 2.0 / 3, 2.0 / 3};
     for (int axis = 0; axis < 3; axis++) {
@@ -102,8 +108,11 @@ static void pack_random_faces(unsigned char *closed, int count, Precision precis
         small_scene_face(&small, 0, face)->front_only = i % 5 == 0;
         closed[i] = i % 7 == 0;
     }
-    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, closed, NULL, 1, precision, precision, &error),
-                             error.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        device_scene_pack(&packed, &small.scene,
+                          &(DevicePacking){.closed = closed, .precision = precision, .wide = precision, .threads = 1},
+                          &error),
+        error.text);
 }
 
 static void face_bits_should_bound_edges_and_warp(void)
@@ -148,7 +157,10 @@ static void face_row_should_hold_the_vertices_as_they_are(void)
     small_scene_material(&small, (Material){.reflection = 0});
     small_scene_face(&small, 0, face_triangle(vec3(6, (double)0.1f, 0), vec3(0, 3, -7), vec3(1, 2, 3)));
     TEST_ASSERT_TRUE_MESSAGE(
-        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+        device_scene_pack(&packed, &small.scene,
+                          &(DevicePacking){.precision = PRECISION_FLOAT, .wide = PRECISION_FLOAT, .threads = 1},
+                          &error),
+        error.text);
     const float expected[] = {6, 0, 1, 6, 0.1f, 3, 2, 0.1f, 0, -7, 3, 0};
     TEST_ASSERT_EQUAL_FLOAT_ARRAY(expected, floats(&packed.edges) + FACE_VERTICES, 12);
 }
@@ -157,7 +169,9 @@ static void double_rows_should_need_no_low_parts(void)
 {
     small_scene_light(&small, vec3(-1.6, 0.825, 4.6));
     TEST_ASSERT_TRUE_MESSAGE(
-        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_DOUBLE, PRECISION_DOUBLE, &error),
+        device_scene_pack(&packed, &small.scene,
+                          &(DevicePacking){.precision = PRECISION_DOUBLE, .wide = PRECISION_DOUBLE, .threads = 1},
+                          &error),
         error.text);
     const double *row = packed.lights.data;
     ASSERT_VEC3_WITHIN(0, -1.6, 0.825, 4.6,
@@ -169,7 +183,10 @@ static void double_rows_should_need_no_low_parts(void)
 static void scene_of_nothing_should_pack(void)
 {
     TEST_ASSERT_TRUE_MESSAGE(
-        device_scene_pack(&packed, &small.scene, NULL, NULL, 1, PRECISION_FLOAT, PRECISION_FLOAT, &error), error.text);
+        device_scene_pack(&packed, &small.scene,
+                          &(DevicePacking){.precision = PRECISION_FLOAT, .wide = PRECISION_FLOAT, .threads = 1},
+                          &error),
+        error.text);
     TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.lights));
     TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.planes));
 }

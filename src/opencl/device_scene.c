@@ -184,37 +184,36 @@ static void pack_view(DeviceReals *reals, const Scene *scene)
 typedef struct Packing {
     DeviceScene *packed;
     const Scene *scene;
-    const unsigned char *closed;
-    const int *order;
+    const DevicePacking *how;
 } Packing;
 
 static void pack_piece(void *data, int piece, int thread)
 {
     const Packing *packing = data;
+    const int *order = packing->how->order;
     int count = packing->scene->face_count, first = piece * PIECE, end = count - first < PIECE ? count : first + PIECE;
     (void)thread;
     for (int i = first; i < end; i++)
-        pack_face(packing->packed, packing->scene, packing->closed, packing->order ? packing->order[i] : i, i);
+        pack_face(packing->packed, packing->scene, packing->how->closed, order ? order[i] : i, i);
 }
 
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order, int threads,
-                       Precision precision, Precision wide, Error *error)
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePacking *how, Error *error)
 {
     *packed = (DeviceScene){0};
     size_t faces = (size_t)scene->face_count;
     packed->faces = calloc(faces > 0 ? faces : 1, sizeof *packed->faces);
     if (!packed->faces)
         return error_memory(error, "the faces for the device");
-    if (!reals_allocate(&packed->edges, faces, FACE_REALS, precision, error) ||
-        !reals_allocate(&packed->planes, faces, PLANE_REALS, wide, error) ||
-        !reals_allocate(&packed->materials, (size_t)scene->material_count, MATERIAL_REALS, precision, error) ||
-        !reals_allocate(&packed->lights, (size_t)scene->light_count, LIGHT_REALS, precision, error) ||
-        !reals_allocate(&packed->view, 2, VIEW_REALS, precision, error))
+    if (!reals_allocate(&packed->edges, faces, FACE_REALS, how->precision, error) ||
+        !reals_allocate(&packed->planes, faces, PLANE_REALS, how->wide, error) ||
+        !reals_allocate(&packed->materials, (size_t)scene->material_count, MATERIAL_REALS, how->precision, error) ||
+        !reals_allocate(&packed->lights, (size_t)scene->light_count, LIGHT_REALS, how->precision, error) ||
+        !reals_allocate(&packed->view, 2, VIEW_REALS, how->precision, error))
         return false;
 
-    Packing packing = {.packed = packed, .scene = scene, .closed = closed, .order = order};
+    Packing packing = {packed, scene, how};
     int pieces = (int)((faces + PIECE - 1) / PIECE);
-    parallel_for(scene->face_count < MIN_PARALLEL ? 1 : threads, pieces, pack_piece, &packing);
+    parallel_for(scene->face_count < MIN_PARALLEL ? 1 : how->threads, pieces, pack_piece, &packing);
     for (int i = 0; i < scene->light_count; i++)
         pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
     for (int i = 0; i < scene->material_count; i++)

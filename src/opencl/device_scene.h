@@ -21,11 +21,16 @@ typedef struct DeviceScene {
     DeviceReals edges, planes, materials, lights, view;
 } DeviceScene;
 
-/* Packs the scene, its faces in the given order (NULL: as they are), those marked in `closed` (by their place in the scene; NULL:
- * none) as faces of closed boxes, planes in the precision `wide`, the other rows in `precision`; on so many threads (0: one per
- * processor). device_scene_free frees the copy, also after a failure. */
-bool device_scene_pack(DeviceScene *packed, const Scene *scene, const unsigned char *closed, const int *order, int threads,
-                       Precision precision, Precision wide, Error *error);
+/* How a scene is packed. */
+typedef struct DevicePacking {
+    const int *order;            /* of the faces; NULL: as they are in the scene */
+    const unsigned char *closed; /* by skip_closed_boxes; NULL: no face is a closed box's */
+    Precision precision, wide;   /* wide: of the planes */
+    int threads;                 /* 0: one per processor */
+} DevicePacking;
+
+/* Packs the scene; device_scene_free frees the copy, also after a failure. */
+bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePacking *how, Error *error);
 void device_scene_free(DeviceScene *packed);
 
 size_t device_reals_bytes(const DeviceReals *reals);

@@ -37,33 +37,60 @@ static cl_mem buffer_of_reals(OpenclSession *session, const DeviceReals *reals, 
     return buffer_of(session, reals->data, 1, device_reals_bytes(reals), error);
 }
 
-/* What skip_closed_boxes says of each face. NULL without memory. */
-static unsigned char *closed_boxes(const Scene *scene, const RenderSettings *settings, Error *error)
+/* A scene on its way to a device, and what the host makes of it. */
+typedef struct Preparation {
+    const Scene *scene;
+    const RenderSettings *settings;
+    unsigned char *closed; /* by skip_closed_boxes */
+    Accel accel;
+    DeviceTree tree;
+} Preparation;
+
+static bool find_closed_boxes(Preparation *made, Error *error)
 {
-    unsigned char *closed = calloc((size_t)scene->face_count + 1, 1);
-    if (!closed)
-        error_memory(error, "the boxes of the scene");
-    else if (skip_wanted(settings, SKIP_BACK_FACE))
-        skip_closed_boxes(scene, closed);
-    return closed;
+    made->closed = calloc((size_t)made->scene->face_count + 1, 1);
+    if (!made->closed)
+        return error_memory(error, "the boxes of the scene");
+    if (skip_wanted(made->settings, SKIP_BACK_FACE))
+        skip_closed_boxes(made->scene, made->closed);
+    return true;
+}
+
+static bool build_tree(const OpenclSession *session, Preparation *made, RenderReport *report, Error *error)
+{
+    double start = clock_ms();
+    const RenderSettings *settings = made->settings;
+    int width = session->lanes > 4 ? session->lanes : 4;
+    bool no_tree = settings->accel == ACCEL_AUTO && skip_wanted(settings, SKIP_TREE);
+    AccelKind kind = settings->accel == ACCEL_AUTO && !no_tree ? ACCEL_BVH : settings->accel;
+    bool ok = accel_build(&made->accel, made->scene, kind, settings->threads, error) &&
+              device_tree_pack(&made->tree, &made->accel, made->closed, width, error);
+    report->skipped[SKIP_TREE] = ok && no_tree && made->accel.kind == ACCEL_NONE;
+    report->build_ms = clock_ms() - start;
+    return ok;
 }
 
 static uint64_t device_bytes(const Scene *scene, const DeviceScene *packed, const DeviceTree *tree)
 {
-    return (uint64_t)scene->face_count * sizeof(FaceRecord) + device_reals_bytes(&packed->edges) + device_reals_bytes(&packed->planes) +
-           device_reals_bytes(&packed->materials) + device_reals_bytes(&packed->lights) + device_reals_bytes(&packed->view) +
+    return (uint64_t)scene->face_count * sizeof(FaceRecord) + device_reals_bytes(&packed->edges) +
+           device_reals_bytes(&packed->planes) + device_reals_bytes(&packed->materials) +
+           device_reals_bytes(&packed->lights) + device_reals_bytes(&packed->view) +
            tree->float_count * sizeof(float) + tree->int_count * sizeof(int);
 }
 
-static bool upload(OpenclSession *session, const Scene *scene, const RenderSettings *settings, const Accel *accel,
-                   const unsigned char *closed, const DeviceTree *tree, SceneOnDevice *on_device, RenderReport *report, Error *error)
+static bool upload(OpenclSession *session, const Preparation *made, SceneOnDevice *on_device, RenderReport *report,
+                   Error *error)
 {
     double start = clock_ms();
     DeviceScene packed;
-    Precision wide = session->wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT;
-    size_t faces = (size_t)scene->face_count;
-    bool ok = device_scene_pack(&packed, scene, closed, accel->bvh.order, settings->threads, session->precision,
-                                wide, error) &&
+    const DeviceTree *tree = &made->tree;
+    size_t faces = (size_t)made->scene->face_count;
+    DevicePacking how = {.order = made->accel.bvh.order,
+                         .closed = made->closed,
+                         .precision = session->precision,
+                         .wide = session->wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT,
+                         .threads = made->settings->threads};
+    bool ok = device_scene_pack(&packed, made->scene, &how, error) &&
               (on_device->parameters = buffer_of(session, NULL, 0, sizeof(Parameters), error)) &&
               (on_device->faces = buffer_of(session, packed.faces, faces, sizeof(FaceRecord), error)) &&
               (on_device->edges = buffer_of_reals(session, &packed.edges, error)) &&
@@ -71,42 +98,28 @@ static bool upload(OpenclSession *session, const Scene *scene, const RenderSetti
               (on_device->materials = buffer_of_reals(session, &packed.materials, error)) &&
               (on_device->lights = buffer_of_reals(session, &packed.lights, error)) &&
               (on_device->view = buffer_of_reals(session, &packed.view, error)) &&
-              (on_device->counters = opencl_buffer(session, CL_MEM_READ_WRITE, COUNTERS * sizeof(cl_uint), NULL, error)) &&
+              (on_device->counters =
+                   opencl_buffer(session, CL_MEM_READ_WRITE, COUNTERS * sizeof(cl_uint), NULL, error)) &&
               (on_device->tree_floats = buffer_of(session, tree->floats, tree->float_count, sizeof(float), error)) &&
               (on_device->tree_ints = buffer_of(session, tree->ints, tree->int_count, sizeof(int), error));
-    report->device_bytes = device_bytes(scene, &packed, tree);
+    report->device_bytes = device_bytes(made->scene, &packed, tree);
     device_scene_free(&packed);
     report->upload_ms += clock_ms() - start;
-    return ok;
-}
-
-static bool build_tree(const OpenclSession *session, const Scene *scene, const RenderSettings *settings, Accel *accel,
-                       const unsigned char *closed, DeviceTree *tree, RenderReport *report, Error *error)
-{
-    double start = clock_ms();
-    int width = session->lanes > 4 ? session->lanes : 4;
-    bool no_tree = settings->accel == ACCEL_AUTO && skip_wanted(settings, SKIP_TREE);
-    AccelKind kind = settings->accel == ACCEL_AUTO && !no_tree ? ACCEL_BVH : settings->accel;
-    bool ok = accel_build(accel, scene, kind, settings->threads, error) &&
-              device_tree_pack(tree, accel, closed, width, error);
-    report->skipped[SKIP_TREE] = ok && no_tree && accel->kind == ACCEL_NONE;
-    report->build_ms = clock_ms() - start;
     return ok;
 }
 
 bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings,
                     SceneOnDevice *on_device, RenderReport *report, Error *error)
 {
-    Accel accel = {.kind = ACCEL_NONE};
-    DeviceTree tree = {0};
-    unsigned char *closed = closed_boxes(scene, settings, error);
-    bool ok = closed && opencl_open(session, settings, report, error) &&
-              build_tree(session, scene, settings, &accel, closed, &tree, report, error) &&
-              opencl_build(session, (Variant){accel.kind, tree.node_width, tree.stack_size}, report, error) &&
-              upload(session, scene, settings, &accel, closed, &tree, on_device, report, error);
-    accel_free(&accel);
-    device_tree_free(&tree);
-    free(closed);
+    Preparation made = {.scene = scene, .settings = settings, .accel = {.kind = ACCEL_NONE}};
+    bool ok = find_closed_boxes(&made, error) && opencl_open(session, settings, report, error) &&
+              build_tree(session, &made, report, error) &&
+              opencl_build(session, (Variant){made.accel.kind, made.tree.node_width, made.tree.stack_size}, report,
+                           error) &&
+              upload(session, &made, on_device, report, error);
+    accel_free(&made.accel);
+    device_tree_free(&made.tree);
+    free(made.closed);
     return ok;
 }
 

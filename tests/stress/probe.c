@@ -68,7 +68,8 @@ void probe_load(Probe *probe, const Scene *scene)
     DeviceScene packed;
     Error error = {0};
     Precision wide = probe->session.wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT;
-    stop_unless(device_scene_pack(&packed, scene, NULL, NULL, 1, probe->session.precision, wide, &error), &error);
+    DevicePacking how = {.precision = probe->session.precision, .wide = wide, .threads = 1};
+    stop_unless(device_scene_pack(&packed, scene, &how, &error), &error);
     size_t faces = (size_t)(scene->face_count > 0 ? scene->face_count : 1);
     probe->parameters = new_buffer(probe, sizeof(Parameters), NULL);
     probe->faces = new_buffer(probe, faces * sizeof(FaceRecord), packed.faces);
