@@ -19,12 +19,6 @@ enum { GRID_COUNT = sizeof GRIDS / sizeof GRIDS[0], BASE_GRID = 4, PIXELS = 160 
 
 /* --- The choices --- */
 
-static const char *accel_word(AccelKind accel)
-{
-    static const char *const words[] = {"auto", "none", "kdtree", "bvh"};
-    return words[accel];
-}
-
 static ErrorChoice *add(BenchError *result, ErrorSeries series, int grid)
 {
     assert(result->choice_count < ERROR_MAX_CHOICES);
@@ -63,7 +57,7 @@ static void list_choices(BenchError *result, bool mirrors)
     for (AccelKind accel = ACCEL_NONE; accel <= ACCEL_BVH; accel++) {
         ErrorChoice *choice = add(result, SERIES_ACCEL, BASE_GRID);
         choice->accel = accel;
-        snprintf(choice->name, sizeof choice->name, "float, grid %d, accel %s", BASE_GRID, accel_word(accel));
+        snprintf(choice->name, sizeof choice->name, "float, grid %d, accel %s", BASE_GRID, render_accels[accel]);
     }
 }
 

@@ -140,13 +140,20 @@ static void write_text(FILE *out, const char *text)
 
 static void write_choice(FILE *out, const BenchError *result, const ErrorChoice *choice)
 {
-    static const char *const series[] = {"float", "double", "reference", "adaptive", "adaptive double", "adaptive reference",
-                                         "bounces", "accel"};
-    static const char *const accels[] = {"auto", "none", "kdtree", "bvh"};
+    static const char *const series[] = {
+        [SERIES_FLOAT] = "float",
+        [SERIES_DOUBLE] = "double",
+        [SERIES_REFERENCE] = "reference",
+        [SERIES_ADAPTIVE] = "adaptive",
+        [SERIES_ADAPTIVE_DOUBLE] = "adaptive double",
+        [SERIES_ADAPTIVE_REFERENCE] = "adaptive reference",
+        [SERIES_BOUNCES] = "bounces",
+        [SERIES_ACCEL] = "accel",
+    };
     write_text(out, result->scene.name);
     fprintf(out, ",%d,%d,\"%s\",%s,%s,%s,%s,%s,%d,%d,%d,", result->scene.columns, result->scene.rows, choice->name,
-            series[choice->series], choice->backend == BACKEND_OPENCL ? "opencl" : "reference",
-            choice->precision == PRECISION_FLOAT ? "float" : "double", accels[choice->accel],
+            series[choice->series], render_backends[choice->backend], render_precisions[choice->precision],
+            render_accels[choice->accel],
             choice->adaptive ? "adaptive" : "uniform", choice->grid,
             choice->bounces, choice->runs);
     if (choice->runs == 0) {

@@ -2,8 +2,7 @@
 #include "bench/bench_picture.h"
 
 #include "scene/light.h"
-#include "opencl/opencl.h"
-#include "trace/reference_render.h"
+#include "opencl/backend.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,9 +33,7 @@ bool bench_picture(BenchPicture *picture, const Scene *scene, Backend backend, c
         return false;
     RenderSettings wanted = *settings;
     wanted.linear = picture->rgb;
-    BandSink sink = {drop_band, NULL};
-    return backend == BACKEND_REFERENCE ? reference_render(scene, &wanted, sink, &picture->report, error)
-                                        : opencl_render(scene, &wanted, sink, &picture->report, error);
+    return backend_render(backend, scene, &wanted, (BandSink){drop_band, NULL}, &picture->report, error);
 }
 
 void bench_picture_free(BenchPicture *picture)

@@ -1,10 +1,9 @@
 /* rectray cast: rays in, one a line, their nearest hits out as CSV. Rays are read, cast and written in batches, so that
  * any number of them passes through, and a device has enough to do at once. */
-#include "trace/accel.h"
 #include "base/clock.h"
 #include "command/command.h"
-#include "opencl/opencl_cast.h"
-#include "trace/reference.h"
+#include "opencl/backend.h"
+#include "scene/geometry.h"
 #include "reader/scene_json.h"
 #include "command/stats.h"
 #include "base/words.h"
@@ -20,17 +19,17 @@ static const double SMALLEST = 1e-60, LARGEST_DIRECTION = 1e60, LARGEST_POSITION
 
 enum { BATCH = 131072 };
 
-typedef struct Caster {
+typedef struct Cast {
     const Options *options;
     const Scene *scene;
-    Accel accel; /* the reference's; the device keeps its own */
+    BackendCaster caster;
     TextLines lines;
     double *world; /* BATCH rays as they were read: origin and direction, six numbers each */
     double *local; /* the same as they are traced: from the scene's centre, the direction scaled */
     CastHit *hits;
     long long first; /* number of the batch's first ray, from 0 */
     Stats stats;
-} Caster;
+} Cast;
 
 /* --- Reading --- */
 
@@ -63,16 +62,16 @@ static bool read_ray(const TextLines *lines, char *line, Vec3 centre, double ray
 }
 
 /* Reads up to BATCH rays; their number, or -1 with the error filled. Empty lines are skipped. */
-static long read_batch(Caster *caster, Error *error)
+static long read_batch(Cast *cast, Error *error)
 {
     long count = 0;
     while (count < BATCH) {
-        char *line = text_next_line(&caster->lines, error);
+        char *line = text_next_line(&cast->lines, error);
         if (!line)
             return error->kind == ERROR_NONE ? count : -1;
         if (line[strspn(line, " \t\v\f")] == '\0')
             continue;
-        if (!read_ray(&caster->lines, line, caster->scene->centre, caster->world + 6 * count, error))
+        if (!read_ray(&cast->lines, line, cast->scene->centre, cast->world + 6 * count, error))
             return -1;
         count++;
     }
@@ -89,12 +88,12 @@ static int direction_exponent(const double *ray)
     return exponent;
 }
 
-static void localise(const Caster *caster, long count)
+static void localise(const Cast *cast, long count)
 {
-    const Vec3 centre = caster->scene->centre;
+    const Vec3 centre = cast->scene->centre;
     for (long i = 0; i < count; i++) {
-        const double *world = caster->world + 6 * i;
-        double *local = caster->local + 6 * i;
+        const double *world = cast->world + 6 * i;
+        double *local = cast->local + 6 * i;
         int exponent = direction_exponent(world);
         local[0] = world[0] - centre.x;
         local[1] = world[1] - centre.y;
@@ -107,32 +106,6 @@ static void localise(const Caster *caster, long count)
 static Vec3 vec3_at(const double *numbers)
 {
     return vec3(numbers[0], numbers[1], numbers[2]);
-}
-
-static void cast_reference(const Caster *caster, long count, RenderReport *report)
-{
-    double start = clock_ms();
-    Tracer tracer = {.scene = caster->scene, .accel = &caster->accel, .report = report};
-    for (long i = 0; i < count; i++) {
-        const double *local = caster->local + 6 * i;
-        Ray ray = {vec3_at(local), vec3_at(local + 3)};
-        caster->hits[i] = reference_nearest(&tracer, ray, -1);
-    }
-    report->trace_ms = clock_ms() - start;
-    report->lanes = 1;
-    report->accel = caster->accel.kind;
-    strcpy(report->device, "reference");
-}
-
-static bool build_accel(Caster *caster, Error *error)
-{
-    const Options *options = caster->options;
-    if (options->backend != BACKEND_REFERENCE)
-        return true;
-    double start = clock_ms();
-    bool built = accel_build(&caster->accel, caster->scene, options->settings.accel, options->settings.threads, error);
-    caster->stats.report.build_ms = clock_ms() - start;
-    return built;
 }
 
 /* Adds a batch's report to the whole's, which keeps the last one's names. */
@@ -150,17 +123,14 @@ static void add_report(RenderReport *whole, const RenderReport *batch)
     *whole = sum;
 }
 
-static bool cast_batch(Caster *caster, long count, Error *error)
+static bool cast_batch(Cast *cast, long count, Error *error)
 {
     RenderReport report = {0};
-    localise(caster, count);
-    if (caster->options->backend == BACKEND_REFERENCE)
-        cast_reference(caster, count, &report);
-    else if (!opencl_cast(caster->scene, &caster->options->settings, caster->local, count, caster->hits, &report,
-                          error))
+    localise(cast, count);
+    if (!backend_cast(&cast->caster, cast->local, count, cast->hits, &report, error))
         return false;
-    add_report(&caster->stats.report, &report);
-    caster->stats.report.rays.primary = (uint64_t)(caster->first + count);
+    add_report(&cast->stats.report, &report);
+    cast->stats.report.rays.primary = (uint64_t)(cast->first + count);
     return true;
 }
 
@@ -174,73 +144,73 @@ static Vec3 normal_at(const Scene *scene, int face, Vec3 origin)
     return front ? normal : vec3_sub(vec3(0, 0, 0), normal); /* a difference, for no one likes to read -0 */
 }
 
-static void write_hit(const Caster *caster, long i)
+static void write_hit(const Cast *cast, long i)
 {
-    CastHit hit = caster->hits[i];
-    long long number = caster->first + i;
+    CastHit hit = cast->hits[i];
+    long long number = cast->first + i;
     if (hit.face < 0) {
         printf("%lld,-1,,,,,,,\n", number);
         return;
     }
-    const double *world = caster->world + 6 * i;
+    const double *world = cast->world + 6 * i;
     double t = ldexp(hit.t, -direction_exponent(world));
     Vec3 p = vec3_add(vec3_at(world), vec3_scale(t, vec3_at(world + 3)));
-    Vec3 n = normal_at(caster->scene, hit.face, vec3_at(caster->local + 6 * i));
-    printf("%lld,%d,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", number, caster->scene->faces[hit.face].number, t, p.x,
+    Vec3 n = normal_at(cast->scene, hit.face, vec3_at(cast->local + 6 * i));
+    printf("%lld,%d,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", number, cast->scene->faces[hit.face].number, t, p.x,
            p.y, p.z, n.x, n.y, n.z);
 }
 
-static bool write_batch(Caster *caster, long count, Error *error)
+static bool write_batch(Cast *cast, long count, Error *error)
 {
     double start = clock_ms();
     for (long i = 0; i < count && !ferror(stdout); i++)
-        write_hit(caster, i);
+        write_hit(cast, i);
     if (fflush(stdout) != 0 || ferror(stdout))
         return error_set(error, ERROR_SYSTEM, "cannot write to standard output: %s", strerror(errno));
-    caster->first += count;
-    caster->stats.encode_ms += clock_ms() - start;
+    cast->first += count;
+    cast->stats.encode_ms += clock_ms() - start;
     return true;
 }
 
 /* --- The command --- */
 
-static bool cast_all(Caster *caster, Error *error)
+static bool cast_all(Cast *cast, Error *error)
 {
     printf("ray,face,t,px,py,pz,nx,ny,nz\n");
     for (;;) {
         double start = clock_ms();
-        long count = read_batch(caster, error);
-        caster->stats.parse_ms += clock_ms() - start;
+        long count = read_batch(cast, error);
+        cast->stats.parse_ms += clock_ms() - start;
         if (count <= 0)
             return count == 0;
-        if (!cast_batch(caster, count, error) || !write_batch(caster, count, error))
+        if (!cast_batch(cast, count, error) || !write_batch(cast, count, error))
             return false;
     }
 }
 
 /* Rays may come from a pipe, so this opens more than text_open_lines would. */
-static bool open_rays(Caster *caster, Error *error)
+static bool open_rays(Cast *cast, Error *error)
 {
-    const char *path = caster->options->rays;
+    const char *path = cast->options->rays;
     bool from_stdin = !path || strcmp(path, "-") == 0;
-    caster->lines = (TextLines){.path = from_stdin ? "standard input" : path};
-    caster->lines.file = from_stdin ? stdin : fopen(path, "rb");
-    if (!caster->lines.file)
+    cast->lines = (TextLines){.path = from_stdin ? "standard input" : path};
+    cast->lines.file = from_stdin ? stdin : fopen(path, "rb");
+    if (!cast->lines.file)
         return text_fail_errno(path, "cannot be opened", error);
-    caster->lines.buffer = malloc(TEXT_LINE_MAX + 2);
-    caster->world = malloc(6 * sizeof *caster->world * BATCH);
-    caster->local = malloc(6 * sizeof *caster->local * BATCH);
-    caster->hits = malloc(BATCH * sizeof *caster->hits);
-    return caster->lines.buffer && caster->world && caster->local && caster->hits ? true
+    cast->lines.buffer = malloc(TEXT_LINE_MAX + 2);
+    cast->world = malloc(6 * sizeof *cast->world * BATCH);
+    cast->local = malloc(6 * sizeof *cast->local * BATCH);
+    cast->hits = malloc(BATCH * sizeof *cast->hits);
+    return cast->lines.buffer && cast->world && cast->local && cast->hits ? true
                                                                                   : error_memory(error, "the rays");
 }
 
-static void close_rays(Caster *caster)
+static void close_rays(Cast *cast)
 {
-    text_close_lines(&caster->lines);
-    free(caster->world);
-    free(caster->local);
-    free(caster->hits);
+    text_close_lines(&cast->lines);
+    free(cast->world);
+    free(cast->local);
+    free(cast->hits);
 }
 
 bool command_cast(const Options *options, Error *error)
@@ -250,15 +220,18 @@ bool command_cast(const Options *options, Error *error)
     if (!scene_load(&scene, options->operands[0], error))
         return false;
     options_note_unused(options);
-    Caster caster = {.options = options, .scene = &scene};
-    caster.stats = stats_begin(&scene, options->backend, options->settings.precision);
-    caster.stats.parse_ms = clock_ms() - start;
-    bool done = open_rays(&caster, error) && build_accel(&caster, error) && cast_all(&caster, error);
-    caster.stats.total_ms = clock_ms() - start;
+    Cast cast = {.options = options, .scene = &scene};
+    cast.stats = stats_begin(&scene, options->backend, options->settings.precision);
+    cast.stats.parse_ms = clock_ms() - start;
+    bool done = open_rays(&cast, error) &&
+                backend_caster_open(&cast.caster, options->backend, &scene, &options->settings, &cast.stats.report,
+                                    error) &&
+                cast_all(&cast, error);
+    cast.stats.total_ms = clock_ms() - start;
     if (done) /* stdout holds the hits */
-        done = stats_print(stderr, options->stats, &caster.stats, error);
-    close_rays(&caster);
-    accel_free(&caster.accel);
+        done = stats_print(stderr, options->stats, &cast.stats, error);
+    close_rays(&cast);
+    backend_caster_close(&cast.caster);
     scene_free(&scene);
     return done;
 }

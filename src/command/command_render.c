@@ -4,10 +4,9 @@
 #include "command/command.h"
 #include "picture/image.h"
 #include "picture/map.h"
-#include "opencl/opencl.h"
+#include "opencl/backend.h"
 #include "base/output.h"
 #include "command/progress.h"
-#include "trace/reference_render.h"
 #include "reader/scene_json.h"
 #include "command/scene_override.h"
 #include "command/stats.h"
@@ -75,8 +74,7 @@ static bool trace(const Options *options, const Scene *scene, Painter *painter, 
     painter->progress = progress_start(options->progress, options->quiet);
     RenderSettings settings = options->settings;
     settings.notice = (Notice){show_notice, painter};
-    bool done = options->backend == BACKEND_REFERENCE ? reference_render(scene, &settings, sink, report, error)
-                                                      : opencl_render(scene, &settings, sink, report, error);
+    bool done = backend_render(options->backend, scene, &settings, sink, report, error);
     progress_end(&painter->progress);
     return done;
 }

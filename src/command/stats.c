@@ -52,21 +52,6 @@ static Lists lists_of(const Stats *stats)
     return lists;
 }
 
-static const char *backend_name(Backend backend)
-{
-    return backend == BACKEND_OPENCL ? "opencl" : "reference";
-}
-static const char *precision_name(Precision precision)
-{
-    return precision == PRECISION_FLOAT ? "float" : "double";
-}
-
-static const char *accel_name(AccelKind accel)
-{
-    static const char *const names[] = {"auto", "none", "kdtree", "bvh"};
-    return names[accel];
-}
-
 Stats stats_begin(const Scene *scene, Backend backend, Precision precision)
 {
     return (Stats){
@@ -101,8 +86,8 @@ static void print_text(FILE *out, const Stats *stats)
     fprintf(out, "%-22s%14d\n", "lights", stats->lights);
     fprintf(out, "%-22s%14.1f MiB\n", "device memory", (double)report->device_bytes / 1048576);
     fprintf(out, "%-22s%14.1f MiB\n", "peak memory", (double)peak_memory_bytes() / 1048576);
-    fprintf(out, "%-22s%s, %s, %d rays at once, accel %s\n", "backend", backend_name(stats->backend),
-            precision_name(stats->precision), report->lanes, accel_name(report->accel));
+    fprintf(out, "%-22s%s, %s, %d rays at once, accel %s\n", "backend", render_backends[stats->backend],
+            render_precisions[stats->precision], report->lanes, render_accels[report->accel]);
     fprintf(out, "%-22s%s\n", "device", report->device);
     fprintf(out, "%-22s%s\n", "build options", report->build_options);
 }
@@ -135,10 +120,10 @@ static bool fill_json(cJSON *object, const Stats *stats)
     return ok && cJSON_AddNumberToObject(object, "faces", stats->faces) &&
            cJSON_AddNumberToObject(object, "lights", stats->lights) &&
            cJSON_AddStringToObject(object, "device", report->device) &&
-           cJSON_AddStringToObject(object, "backend", backend_name(stats->backend)) &&
-           cJSON_AddStringToObject(object, "precision", precision_name(stats->precision)) &&
+           cJSON_AddStringToObject(object, "backend", render_backends[stats->backend]) &&
+           cJSON_AddStringToObject(object, "precision", render_precisions[stats->precision]) &&
            cJSON_AddNumberToObject(object, "lanes", report->lanes) &&
-           cJSON_AddStringToObject(object, "accel", accel_name(report->accel)) &&
+           cJSON_AddStringToObject(object, "accel", render_accels[report->accel]) &&
            cJSON_AddStringToObject(object, "build_options", report->build_options) &&
            add_count(object, "device_memory_bytes", report->device_bytes) &&
            add_count(object, "peak_memory_bytes", peak_memory_bytes());

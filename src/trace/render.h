@@ -12,6 +12,11 @@
 
 typedef enum Backend { BACKEND_OPENCL, BACKEND_REFERENCE } Backend;
 typedef enum Precision { PRECISION_FLOAT, PRECISION_DOUBLE } Precision;
+typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH } AccelKind;
+
+/* What users call them: options, statistics and measurements. Each list ends in a NULL. */
+extern const char *const render_backends[], *const render_precisions[], *const render_accels[];
+
 /* What a map of a picture shows of each pixel: map.h. */
 typedef enum MapKind {
     MAP_RAYS,   /* rays traced for it, of all kinds */
@@ -20,8 +25,6 @@ typedef enum MapKind {
     MAP_NORMAL, /* of the face that this ray hits, on its side */
     MAP_FACE,   /* that face */
 } MapKind;
-
-typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH } AccelKind;
 
 /* Shows the user what takes long before there is a picture, such as "compiling ...": a few words, without a newline. */
 typedef struct Notice {

@@ -1,0 +1,9 @@
+/* The words for what a user may choose. */
+#include "trace/render.h"
+
+#include <stddef.h>
+
+const char *const render_backends[] = {[BACKEND_OPENCL] = "opencl", [BACKEND_REFERENCE] = "reference", NULL};
+const char *const render_precisions[] = {[PRECISION_FLOAT] = "float", [PRECISION_DOUBLE] = "double", NULL};
+const char *const render_accels[] = {
+    [ACCEL_AUTO] = "auto", [ACCEL_NONE] = "none", [ACCEL_KDTREE] = "kdtree", [ACCEL_BVH] = "bvh", NULL};
