@@ -10,10 +10,6 @@
 
 #include <string.h>
 
-/* To add a format: its writer, its name in WalkthroughFormat and set_format (option_table), its line here in the same order. */
-static WalkthroughWriter *const writers[] = {walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj,
-                                      walkthrough_write_svg};
-
 static bool check_request(const Options *options, const Scene *scene, Error *error)
 {
     const Screen *screen = &scene->screen;
@@ -32,7 +28,7 @@ static bool check_request(const Options *options, const Scene *scene, Error *err
 
 static bool write_file(const Options *options, const Walkthrough *walk, Error *error)
 {
-    WalkthroughWriter *writer = writers[options->format];
+    WalkthroughWriter *writer = walkthrough_writer(options->format);
     WalkthroughStyle style = {.with_scene = options->with_scene};
     const char *path = options->output;
     if (!path || strcmp(path, "-") == 0) {
@@ -53,8 +49,7 @@ static bool write_file(const Options *options, const Walkthrough *walk, Error *e
 
 static void note_unused(const Options *options)
 {
-    static const char *const formats[] = {"text", "json", "obj", "svg"};
-    const char *format = formats[options->format];
+    const char *format = walkthrough_format_words[options->format];
     if (options->with_scene && options->format != WALKTHROUGH_OBJ)
         fprintf(stderr, "rectray: note: --with-scene does nothing with --format %s\n", format);
     if (options->verbose && (options->format == WALKTHROUGH_OBJ || options->format == WALKTHROUGH_SVG))

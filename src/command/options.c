@@ -4,6 +4,7 @@
 #include "command/options.h"
 
 #include "base/suggest.h"
+#include "command/option_table.h"
 
 #include <assert.h>
 #include <getopt.h>
@@ -145,8 +146,8 @@ static bool unknown_option(const Command *command, char **argv, Error *error)
 static bool wrong_value(const Option *option, const char *value, Error *error)
 {
     if (!value)
-        return error_set(error, ERROR_USAGE, "--%s needs a value: %s", option->name, option->expects);
-    return error_set(error, ERROR_USAGE, "--%s '%s': expected %s", option->name, value, option->expects);
+        return error_set(error, ERROR_USAGE, "--%s needs a value: %s", option->name, option_expects(option).text);
+    return error_set(error, ERROR_USAGE, "--%s '%s': expected %s", option->name, value, option_expects(option).text);
 }
 
 void options_note_unused(const Options *options)
@@ -197,7 +198,7 @@ bool options_parse(Options *options, const Command *command, int argc, char **ar
         const char *value = found == ':' ? NULL : optarg;
         if (value && strchr(option->argument, ' '))
             options->second_value = optind < argc ? argv[optind++] : NULL;
-        if (found == ':' || !option->set(options, value))
+        if (found == ':' || !option_set(option, options, value))
             return wrong_value(option, value, error);
     }
     if (options->help || options->version)

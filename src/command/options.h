@@ -3,7 +3,7 @@
 #define RECTRAY_OPTIONS_H
 
 #include "base/error.h"
-#include "command/option_table.h"
+#include "command/option.h"
 
 typedef struct Command {
     const char *name;

@@ -2,7 +2,7 @@
 #ifndef RECTRAY_SCENE_OVERRIDE_H
 #define RECTRAY_SCENE_OVERRIDE_H
 
-#include "command/option_table.h"
+#include "command/option.h"
 #include "scene/scene.h"
 
 /* The screen's width and height stay: other numbers of columns and rows cut the same view into other pixels. */

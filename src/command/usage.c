@@ -1,6 +1,10 @@
 /* Prints the help of a command from the tables of commands and options. */
 #include "command/usage.h"
 
+#include "command/option_table.h"
+
+#include <stdio.h>
+
 enum { HELP_COLUMN = 28 }; /* where the explanation of an option begins */
 
 static void print_option(FILE *out, const Option *option)

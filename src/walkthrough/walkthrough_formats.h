@@ -1,8 +1,14 @@
-/* The formats of a walkthrough, one file each. They write to a stream, whose errors the caller looks at. */
+/* The formats of a walkthrough, one file each. They write to a stream, whose errors the caller looks at. To add one: its
+ * writer's file, and its name here and in the two tables of walkthrough_formats.c. */
 #ifndef RECTRAY_WALKTHROUGH_FORMATS_H
 #define RECTRAY_WALKTHROUGH_FORMATS_H
 
 #include "walkthrough/walkthrough.h"
+
+typedef enum WalkthroughFormat { WALKTHROUGH_TEXT, WALKTHROUGH_JSON, WALKTHROUGH_OBJ, WALKTHROUGH_SVG } WalkthroughFormat;
+
+/* What users call them; ends in a NULL. */
+extern const char *const walkthrough_format_words[];
 
 typedef struct WalkthroughStyle {
     bool colour;     /* text: ANSI colours */
@@ -13,5 +19,8 @@ typedef struct WalkthroughStyle {
 typedef bool WalkthroughWriter(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error);
 
 WalkthroughWriter walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj, walkthrough_write_svg;
+
+/* The writer of a format. */
+WalkthroughWriter *walkthrough_writer(WalkthroughFormat format);
 
 #endif

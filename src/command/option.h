@@ -1,0 +1,90 @@
+/* What a user may ask for: the values of all options, and what an option is. */
+#ifndef RECTRAY_OPTION_H
+#define RECTRAY_OPTION_H
+
+#include "command/progress.h"
+#include "command/stats.h"
+#include "trace/render.h"
+#include "walkthrough/walkthrough_formats.h"
+
+#include <stddef.h>
+
+enum { MAX_OPERANDS = 16 };
+
+/* Whether each pixel gets the whole grid, or only where it needs it. */
+typedef enum SamplingChoice { SAMPLING_OF_SCENE, SAMPLING_UNIFORM, SAMPLING_ADAPTIVE } SamplingChoice;
+
+/* What the user asked for. The strings are those of argv. */
+typedef struct Options {
+    const char *operands[MAX_OPERANDS]; /* scenes, the pictures to compare, a kind of scene */
+    int operand_count;
+    const char *output; /* NULL: not given; "-": stdout */
+    const char *rays;   /* NULL or "-": stdin */
+    const char *folder;  /* for the files of a measurement; NULL: not given */
+    const char *heatmap; /* NULL: not given; "-": stdout */
+    Backend backend;
+    RenderSettings settings;
+    int columns, rows; /* 0: as the scene says, as is grid */
+    int grid;
+    SamplingChoice sampling;
+    const char *second_value; /* of an option that takes two, while it is read */
+    const char *map_file;     /* NULL: no map */
+    MapKind map;
+    int bounces;          /* -1: as the scene says */
+    int tolerance;        /* of 255 */
+    int repeats;          /* of a measurement; 0: not given */
+    int scene_size, seed; /* of a generated scene; size 0: not given */
+    int pixel_column, pixel_row, sample_i, sample_j; /* of the walkthrough */
+    WalkthroughFormat format;
+    StatsFormat stats;
+    ProgressMode progress;
+    bool precision_given, pixel_given;
+    bool quiet, geometry, verbose, with_scene, ladder, json, help, version;
+} Options;
+
+/* How an option's value is read. */
+typedef enum OptionKind {
+    OPTION_FLAG,   /* none: a bool becomes true */
+    OPTION_TEXT,   /* any word that is not empty */
+    OPTION_NUMBER, /* a whole number from low to high, into an int */
+    OPTION_WORD,   /* one of the words; its place in their list, into an int or an enum */
+    OPTION_OWN,    /* by a function of its own */
+} OptionKind;
+
+typedef struct Option {
+    const char *name;     /* without the "--" */
+    char letter;          /* 0: none */
+    const char *argument; /* as help shows it; NULL: none; "[=NAME]": may be left out; "KIND FILE": two words */
+    const char *commands; /* the commands that take it, separated by blanks; "": all */
+    const char *help;
+    OptionKind kind;
+    size_t field; /* its place in Options, of all kinds but the last */
+    int low, high;
+    const char *const *words;                          /* ends in a NULL */
+    bool (*set)(Options *options, const char *value); /* false: not a proper value; NULL: none was given */
+    const char *expects; /* completes "expected ..." in the message about a wrong value; NULL: the kind says it */
+} Option;
+
+/* Whether the command takes the option. */
+bool option_belongs(const Option *option, const char *command);
+
+/* Reads the value, which is NULL where none was given. After false, which says that it is not a proper one, the field may hold
+ * anything. */
+bool option_set(const Option *option, Options *options, const char *value);
+
+/* A piece of text, passed by value. */
+typedef struct OptionText {
+    char text[160];
+} OptionText;
+
+/* What the option expects: "a whole number from 1 to 16", "text or json". */
+OptionText option_expects(const Option *option);
+
+/* Reads a whole number in [low, high] that ends at the character `end`: digits, nothing before or after. Returns where it ended,
+ * or NULL. */
+const char *option_read_int(const char *text, int low, int high, char end, int *value);
+
+/* The place of a word in a list that ends in NULL; -1 where it is not there. */
+int option_word(const char *word, const char *const *words);
+
+#endif
