@@ -38,6 +38,26 @@ static inline Vec3 vec3_unit(Vec3 a)
     return vec3(a.x / length, a.y / length, a.z / length);
 }
 
+/* |x| + |y| + |z|: no smaller than the length, and at most sqrt(3) times as large. */
+static inline double vec3_magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
+
+/* The largest of |x|, |y|, |z|. */
+static inline double vec3_largest(Vec3 a) { return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))); }
+
+/* The exponent e of a power of two with 2^(e-1) <= vec3_largest(a) < 2^e; 0 for zero. */
+static inline int vec3_exponent(Vec3 a)
+{
+    int exponent;
+    frexp(vec3_largest(a), &exponent);
+    return exponent;
+}
+
+/* 2^exponent a, exact but where it leaves the range of doubles. */
+static inline Vec3 vec3_ldexp(Vec3 a, int exponent)
+{
+    return vec3(ldexp(a.x, exponent), ldexp(a.y, exponent), ldexp(a.z, exponent));
+}
+
 static inline int vec3_is_finite(Vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
 
 /* clang-format on */

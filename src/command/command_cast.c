@@ -81,12 +81,7 @@ static long read_batch(Cast *cast, Error *error)
 /* --- Casting --- */
 
 /* Directions are divided by a power of two, which is exact, so that their largest component is in [0.5, 1): floats hold it. */
-static int direction_exponent(const double *ray)
-{
-    int exponent;
-    frexp(fmax(fabs(ray[3]), fmax(fabs(ray[4]), fabs(ray[5]))), &exponent);
-    return exponent;
-}
+static int direction_exponent(const double *ray) { return vec3_exponent(vec3(ray[3], ray[4], ray[5])); }
 
 static void localise(const Cast *cast, long count)
 {

@@ -53,8 +53,6 @@ static Vec3 low_part(const DeviceReals *reals, Vec3 v)
     return vec3(v.x - (double)(float)v.x, v.y - (double)(float)v.y, v.z - (double)(float)v.z);
 }
 
-static double sum_of_magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
-
 /* The upper half of a float that is no less than the bound, and so large that no device takes it for zero. */
 static uint32_t bound_bits(double bound)
 {
@@ -70,8 +68,8 @@ static uint32_t face_bits(const Face *face, const Plane *plane, bool closed)
     double longest = 0, warp = 0;
     for (int k = 0; k < 4; k++) {
         Vec3 v = face_vertex(face, k), from_first = vec3_sub(v, face_vertex(face, 0));
-        longest = fmax(longest, sum_of_magnitudes(vec3_sub(face_vertex(face, (k + 1) % 4), v)));
-        warp = fmax(warp, fabs(vec3_dot(plane->normal, from_first)) + 0x1p-48 * sum_of_magnitudes(from_first));
+        longest = fmax(longest, vec3_magnitudes(vec3_sub(face_vertex(face, (k + 1) % 4), v)));
+        warp = fmax(warp, fabs(vec3_dot(plane->normal, from_first)) + 0x1p-48 * vec3_magnitudes(from_first));
     }
     uint32_t even_warp = (bound_bits(warp) + 1) & ~FACE_BACK_INSIDE;
     return bound_bits(longest) << 16 | even_warp | (face->vertex_count == 3 ? FACE_TRIANGLE : 0) |
@@ -162,7 +160,7 @@ static double farthest_vertex(const Scene *scene)
     double farthest = 0;
     for (int i = 0; i < scene->face_count; i++)
         for (int k = 0; k < scene->faces[i].vertex_count; k++)
-            farthest = fmax(farthest, sum_of_magnitudes(face_vertex(&scene->faces[i], k)));
+            farthest = fmax(farthest, vec3_magnitudes(face_vertex(&scene->faces[i], k)));
     return farthest;
 }
 

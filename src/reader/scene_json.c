@@ -22,12 +22,7 @@ static bool read_colour(const Json *json, const cJSON *item, Vec3 *colour)
 
 /* A vector of any length to one whose largest component is about 1, by a power of two: the direction stays exact, and its
  * square neither overflows nor vanishes. Zero stays zero. */
-static Vec3 tamed(Vec3 a)
-{
-    int exponent;
-    frexp(fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))), &exponent);
-    return vec3(ldexp(a.x, -exponent), ldexp(a.y, -exponent), ldexp(a.z, -exponent));
-}
+static Vec3 tamed(Vec3 a) { return vec3_ldexp(a, -vec3_exponent(a)); }
 
 static bool read_camera(const Json *json, const cJSON *item, Camera *camera)
 {

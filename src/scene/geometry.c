@@ -8,8 +8,6 @@
 
 #define ROUNDING (DBL_EPSILON / 2) /* 2^-53: the relative error of one operation */
 
-static double sum_of_magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
-
 View view_of(const Scene *scene)
 {
     Vec3 forward = vec3_unit(vec3_sub(scene->camera.look_at, scene->camera.position));
@@ -56,7 +54,7 @@ Box face_box(const Face *face, const Plane *plane)
         box = box_union(box, (Box){{v[0], v[1], v[2]}, {v[0], v[1], v[2]}});
         Vec3 edge = vec3_sub(face_vertex(face, k), face_vertex(face, 0));
         double height = vec3_dot(plane->normal, edge);
-        warp = fmax(warp, fabs(height) + 8 * ROUNDING * sum_of_magnitudes(edge));
+        warp = fmax(warp, fabs(height) + 8 * ROUNDING * vec3_magnitudes(edge));
     }
     /* Across an axis nothing is rounded: t is the same quotient as the box's. */
     for (int axis = 0; axis < 3; axis++)
@@ -121,7 +119,7 @@ Plane face_plane(const Face *face)
 /* How far arithmetic in twice the precision may be from N.x. */
 static double accurate_bound(const Plane *plane, Vec3 x)
 {
-    return (plane->error + 64 * ROUNDING * ROUNDING) * sum_of_magnitudes(x);
+    return (plane->error + 64 * ROUNDING * ROUNDING) * vec3_magnitudes(x);
 }
 
 /* N.x as if computed in twice the precision (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005, algorithm 5.3),
@@ -142,7 +140,7 @@ static Pair normal_dot_accurate(const Face *face, const Plane *plane, ExactVec3 
 /* Does N.x in plain arithmetic tell the sign? */
 static bool plain_is_sure(const Plane *plane, Vec3 x, double value)
 {
-    return fabs(value) > (plane->error + 8 * ROUNDING) * sum_of_magnitudes(x);
+    return fabs(value) > (plane->error + 8 * ROUNDING) * vec3_magnitudes(x);
 }
 
 /* N.x, in plain arithmetic where that tells the sign. */
@@ -284,7 +282,7 @@ Vec3 point_shifted(const Face *face, const Plane *plane, Vec3 n, Vec3 point)
     if (vec3_dot(n, plane->normal) < 0)
         height = -height;
     /* What rounding may take away: half an ulp of each coordinate of the sum, a few of the step, what the height lacks. */
-    double margin = 2 * ROUNDING * sum_of_magnitudes(point) + 12 * ROUNDING * fabs(height) + accurate_bound(plane, x.high);
+    double margin = 2 * ROUNDING * vec3_magnitudes(point) + 12 * ROUNDING * fabs(height) + accurate_bound(plane, x.high);
     margin = margin > 0x1p-100 ? margin : 0x1p-100;
     return vec3_add(point, vec3_scale(margin - height, n));
 }

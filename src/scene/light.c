@@ -18,6 +18,8 @@ Illumination illuminate(const Material *material, const Light *light, Vec3 n, Ve
     return result;
 }
 
+bool colour_is_black(Vec3 colour) { return colour.x == 0 && colour.y == 0 && colour.z == 0; }
+
 unsigned char colour_to_byte(double c)
 {
     c = c < 0 ? 0 : c > 1 ? 1 : c;

@@ -16,6 +16,8 @@ typedef struct Illumination {
 /* n, l, v: unit vectors, the normal on the viewer's side, to the light, to the viewer. */
 Illumination illuminate(const Material *material, const Light *light, Vec3 n, Vec3 l, Vec3 v);
 
+bool colour_is_black(Vec3 colour);
+
 /* Clamps to [0, 1] and gives floor(255 c + 0.5). */
 unsigned char colour_to_byte(double c);
 

@@ -11,18 +11,13 @@ static bool same_point(Vec3 a, Vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-static double largest_coordinate(Vec3 a)
-{
-    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
-}
-
 /* Twice the area that rounding errors of half an ulp in each coordinate can give to points on one line: an error of
  * `size` * DBL_EPSILON in each of two sides of up to `diagonal`, in three products each. */
 static double area_noise(const Vec3 *v, int count, double diagonal)
 {
     double size = 0;
     for (int i = 0; i < count; i++)
-        size = fmax(size, largest_coordinate(v[i]));
+        size = fmax(size, vec3_largest(v[i]));
     return 16 * DBL_EPSILON * size * diagonal;
 }
 
@@ -99,7 +94,7 @@ Shape shape_of_rounded(const Vec3 *v, int count)
     if (shape.verdict)
         return shape;
     Vec3 normal = vec3_cross(vec3_sub(v[2], v[0]), vec3_sub(v[count == 3 ? 0 : 3], v[1]));
-    if (largest_coordinate(normal) == 0)
+    if (vec3_largest(normal) == 0)
         shape.verdict = SHAPE_NO_AREA;
     else if (count == 4)
         check_corners(&shape, v, normal, ROUNDED_STRAIGHTNESS);

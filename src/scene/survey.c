@@ -3,13 +3,9 @@
 #include "scene/survey.h"
 
 #include "scene/geometry.h"
+#include "scene/light.h"
 
 #include <stdlib.h>
-
-static bool is_black(Vec3 colour)
-{
-    return colour.x == 0 && colour.y == 0 && colour.z == 0;
-}
 
 static const Material *material_of(const Scene *scene, const Face *face)
 {
@@ -63,9 +59,9 @@ static void count_lights(Survey *survey, const Scene *scene)
 {
     for (int i = 0; i < scene->light_count; i++) {
         const Light *light = &scene->lights[i];
-        if (!is_black(light->diffuse) || !is_black(light->specular))
+        if (!colour_is_black(light->diffuse) || !colour_is_black(light->specular))
             continue;
-        if (is_black(light->ambient))
+        if (colour_is_black(light->ambient))
             survey->lights_black++;
         else
             survey->lights_ambient++;
@@ -82,7 +78,7 @@ static void count_faces(Survey *survey, const Scene *scene)
         survey->triangles += face->vertex_count == 3;
         survey->one_sided += face->front_only;
         survey->mirrors += material->reflection > 0;
-        survey->shiny += !is_black(material->specular);
+        survey->shiny += !colour_is_black(material->specular);
     }
 }
 

@@ -44,9 +44,7 @@ static void sine_cosine(double degrees, double *sine, double *cosine)
 Transform transform_rotate(Vec3 axis, double degrees)
 {
     /* A power of two first: the squares of an axis such as (1e200, 0, 0) would overflow. */
-    int exponent;
-    frexp(fmax(fabs(axis.x), fmax(fabs(axis.y), fabs(axis.z))), &exponent);
-    Vec3 k = vec3_unit(vec3(ldexp(axis.x, -exponent), ldexp(axis.y, -exponent), ldexp(axis.z, -exponent)));
+    Vec3 k = vec3_unit(vec3_ldexp(axis, -vec3_exponent(axis)));
     double s, c;
     sine_cosine(degrees, &s, &c);
     Vec3 sine_k = vec3_scale(s, k), rest_k = vec3_scale(1 - c, k);

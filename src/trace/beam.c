@@ -3,14 +3,12 @@
  * BEAM_SLACK times the magnitudes that meet in a value bounds that. */
 #include "trace/beam.h"
 
-static double magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
-
 /* --- Making beams --- */
 
 static Beam with_bounds(Beam beam)
 {
-    beam.width = magnitudes(beam.u) + magnitudes(beam.v);
-    beam.length = magnitudes(beam.c) + beam.width;
+    beam.width = vec3_magnitudes(beam.u) + vec3_magnitudes(beam.v);
+    beam.length = vec3_magnitudes(beam.c) + beam.width;
     return beam;
 }
 
@@ -23,7 +21,7 @@ Beam beam_of_pixel(const View *view, int column, int row)
         .c = view_direction(&whole, column, row, 0, 0),
         .u = vec3_scale(view->width / view->columns / 2, view->right),
         .v = vec3_scale(view->height / view->rows / 2, view->up),
-        .size = magnitudes(view->eye),
+        .size = vec3_magnitudes(view->eye),
     });
 }
 
@@ -34,7 +32,7 @@ Beam beam_mirrored(const Beam *beam, const Face *face, const Plane *plane)
     Vec3 n = plane->normal;
     double height = vec3_dot(n, vec3_sub(beam->apex, face_vertex(face, 0)));
     Vec3 apex = vec3_sub(beam->apex, vec3_scale(2 * height, n));
-    double size = magnitudes(apex) + magnitudes(face_vertex(face, 0));
+    double size = vec3_magnitudes(apex) + vec3_magnitudes(face_vertex(face, 0));
     return with_bounds((Beam){
         .apex = apex,
         .c = mirrored(beam->c, n),
@@ -54,13 +52,13 @@ Beam beam_from_point(const Beam *beam, const Face *face, const Plane *plane, Vec
     if (height < 0)
         n = vec3_negate(n);
     height = fabs(height);
-    double grown = magnitudes(from_x) + magnitudes(to_vertex) + beam->size + magnitudes(x);
+    double grown = vec3_magnitudes(from_x) + vec3_magnitudes(to_vertex) + beam->size + vec3_magnitudes(x);
     return (Beam){
         .apex = x,
         .c = vec3_add(vec3_scale(-vec3_dot(n, beam->c), from_x), vec3_scale(height, beam->c)),
         .u = vec3_add(vec3_scale(-vec3_dot(n, beam->u), from_x), vec3_scale(height, beam->u)),
         .v = vec3_add(vec3_scale(-vec3_dot(n, beam->v), from_x), vec3_scale(height, beam->v)),
-        .size = magnitudes(x),
+        .size = vec3_magnitudes(x),
         .length = grown * beam->length,
         .width = grown * beam->width,
     };
@@ -81,11 +79,11 @@ static Range range_of(const Beam *beam, Vec3 w)
 BeamPlane beam_plane(const Beam *beam, const Face *face, const Plane *plane)
 {
     Vec3 x = vec3_sub(beam->apex, face_vertex(face, 0));
-    double height = vec3_dot(plane->normal, x), doubt = BEAM_SLACK * (beam->size + magnitudes(x));
+    double height = vec3_dot(plane->normal, x), doubt = BEAM_SLACK * (beam->size + vec3_magnitudes(x));
     if (fabs(height) <= doubt)
         return (BeamPlane){.error = HUGE_VAL, .side = beam->mirrored ? 0 : plane_side(face, plane, beam->apex)};
     Vec3 q = vec3_scale(1 / height, plane->normal);
-    return (BeamPlane){q, magnitudes(q) * (BEAM_SLACK + doubt / fabs(height)), height > 0 ? 1 : -1};
+    return (BeamPlane){q, vec3_magnitudes(q) * (BEAM_SLACK + doubt / fabs(height)), height > 0 ? 1 : -1};
 }
 
 bool beam_is_farther(const Beam *beam, const BeamPlane *a, const BeamPlane *b)
@@ -108,7 +106,7 @@ static Edges edges_of(const Beam *beam, const Face *face)
         Vec3 p = vec3_sub(face_vertex(face, k), beam->apex);
         Vec3 e = vec3_sub(face_vertex(face, (k + 1) % face->vertex_count), face_vertex(face, k));
         Range range = range_of(beam, vec3_cross(p, e));
-        double doubt = BEAM_SLACK * (beam->size + magnitudes(p)) * magnitudes(e) * beam->length;
+        double doubt = BEAM_SLACK * (beam->size + vec3_magnitudes(p)) * vec3_magnitudes(e) * beam->length;
         bool left = range.low > doubt, right = range.high < -doubt;
         edges.some_left |= left;
         edges.some_right |= right;
@@ -152,7 +150,7 @@ static bool beside(const Beam *beam, const Face *face)
         corners[k].l = sign * vec3_dot(uv, p);
         corners[k].la = sign * vec3_dot(vec3_cross(p, beam->v), beam->c);
         corners[k].lb = sign * vec3_dot(vec3_cross(beam->u, p), beam->c);
-        corners[k].doubt = BEAM_SLACK * (beam->size + magnitudes(p)) * beam->width * beam->length;
+        corners[k].doubt = BEAM_SLACK * (beam->size + vec3_magnitudes(p)) * beam->width * beam->length;
     }
     int count = face->vertex_count;
     return is_beyond(corners, count, true, 1) || is_beyond(corners, count, true, -1) ||

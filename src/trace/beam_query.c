@@ -2,8 +2,6 @@
  * where each face inside it would be: so the answer does not depend on the tree. */
 #include "trace/beam_query.h"
 
-static double magnitudes(Vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
-
 /* --- One face --- */
 
 /* Is the face on that side of the plane, some of it off the plane? */
@@ -12,7 +10,7 @@ static bool is_on_side(const Face *face, const Face *of, const Plane *plane, int
     bool off = false;
     for (int k = 0; k < face->vertex_count; k++) {
         Vec3 x = vec3_sub(face_vertex(face, k), face_vertex(of, 0));
-        double height = side * vec3_dot(plane->normal, x), doubt = BEAM_SLACK * magnitudes(x);
+        double height = side * vec3_dot(plane->normal, x), doubt = BEAM_SLACK * vec3_magnitudes(x);
         if (height < -doubt)
             return false;
         off |= height > doubt;

@@ -2,6 +2,7 @@
  * out is certain not to matter, for the sides of planes are exact (geometry.h). */
 #include "trace/pruned_scene.h"
 
+#include "scene/light.h"
 #include "scene/survey.h"
 #include "trace/skip.h"
 
@@ -10,11 +11,9 @@
 /* Unreachable faces are looked for in scenes of up to so many: in larger ones the search would cost more than it could save. */
 enum { UNREACHABLE_FACES_MOST = 10000 };
 
-static bool is_black(Vec3 colour) { return colour.x == 0 && colour.y == 0 && colour.z == 0; }
-
 static bool light_is_black(const Light *light)
 {
-    return is_black(light->ambient) && is_black(light->diffuse) && is_black(light->specular);
+    return colour_is_black(light->ambient) && colour_is_black(light->diffuse) && colour_is_black(light->specular);
 }
 
 /* The lights that have a colour. */

@@ -77,15 +77,13 @@ static bool is_outside(const Extent *e, Vec3 point)
            point.y > (double)e->high[1] || point.z < (double)e->low[2] || point.z > (double)e->high[2];
 }
 
-static double largest_coordinate(Vec3 a) { return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))); }
-
 /* sides: gets 1 + side_of each of the six faces. */
 static bool is_closed_box(const Scene *scene, int first, unsigned char *sides)
 {
     const Face *faces = &scene->faces[first];
     Extent e = extent_of(faces);
     Vec3 eye = scene->camera.position;
-    double scale = largest_coordinate(eye);
+    double scale = vec3_largest(eye);
     for (int axis = 0; axis < 3; axis++)
         scale = fmax(scale, fmax(fabs((double)e.low[axis]), fabs((double)e.high[axis])));
     for (int axis = 0; axis < 3; axis++)

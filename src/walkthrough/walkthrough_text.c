@@ -12,7 +12,7 @@
 static int place_digits(const Scene *scene)
 {
     Vec3 c = scene->centre;
-    double far = fmax(fabs(c.x), fmax(fabs(c.y), fabs(c.z))), size = walkthrough_scene_size(scene);
+    double far = vec3_largest(c), size = walkthrough_scene_size(scene);
     int more = size > 0 && far > size ? (int)ceil(log10(far / size)) : 0;
     return more > 9 ? 15 : INK_DIGITS + more;
 }
