@@ -43,8 +43,8 @@ static void print_contents(const Scene *scene, const Survey *survey)
         print_row("", " of them one-sided", survey->one_sided);
     if (survey->mirrors > 0)
         print_row("", " of them reflecting", survey->mirrors);
-    const char *shadow = scene->shading.shadow == SHADOW_BLACK ? "black" : "ambient";
-    const char *viewer = scene->shading.viewer == VIEWER_CAMERA ? "camera" : "ray";
+    const char *shadow = scene_shadow_rules[scene->shading.shadow];
+    const char *viewer = scene_viewer_rules[scene->shading.viewer];
     printf("  %-14sshadow %s, viewer %s, at most %d bounces\n", "shading", shadow, viewer, scene->shading.max_bounces);
     print_position("  traced around", scene->centre, vec3(0, 0, 0));
     printf("\n");

@@ -16,7 +16,7 @@ static const char *const map_kinds[] = {
     [MAP_RAYS] = "rays",     [MAP_TIME] = "time", [MAP_DEPTH] = "depth",
     [MAP_NORMAL] = "normal", [MAP_FACE] = "face", NULL};
 
-static const char *const stats_formats[] = {"text", "json", NULL}; /* from STATS_TEXT on */
+static const char *const stats_formats[] = {"text", "json", NULL}; /* of STATS_TEXT and what comes after it */
 static const char *const lane_words[] = {"1", "4", "8", "16", NULL};
 
 /* --- Functions of options whose value is no plain word or number --- */

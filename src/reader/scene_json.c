@@ -129,15 +129,14 @@ static bool read_materials(const Json *json, const cJSON *object, SceneBuild *bu
 
 static bool read_shading(const Json *json, const cJSON *item, Shading *shading)
 {
-    static const char *const shadows[] = {"black", "ambient"}, *const viewers[] = {"camera", "ray"};
     JsonMember keys[] = {{.name = "shadow"}, {.name = "viewer"}, {.name = "max_bounces"}, {.name = "background"}};
     int shadow = SHADOW_BLACK, viewer = VIEWER_CAMERA;
     *shading = (Shading){.max_bounces = 5};
     if (!item)
         return true;
     if (!json_members(json, item, keys, JSON_COUNT(keys)) ||
-        (keys[0].item && !json_choice(json, keys[0].item, shadows, 2, &shadow)) ||
-        (keys[1].item && !json_choice(json, keys[1].item, viewers, 2, &viewer)) ||
+        (keys[0].item && !json_choice(json, keys[0].item, scene_shadow_rules, 2, &shadow)) ||
+        (keys[1].item && !json_choice(json, keys[1].item, scene_viewer_rules, 2, &viewer)) ||
         (keys[2].item && !json_integer(json, keys[2].item, 0, SCENE_MAX_BOUNCES, &shading->max_bounces)) ||
         !read_colour(json, keys[3].item, &shading->background))
         return false;

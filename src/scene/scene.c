@@ -3,6 +3,9 @@
 
 #include <stdlib.h>
 
+const char *const scene_shadow_rules[] = {[SHADOW_BLACK] = "black", [SHADOW_AMBIENT] = "ambient"};
+const char *const scene_viewer_rules[] = {[VIEWER_CAMERA] = "camera", [VIEWER_RAY] = "ray"};
+
 void scene_free(Scene *scene)
 {
     for (int i = 0; i < scene->material_count; i++)

@@ -72,6 +72,9 @@ typedef struct Plane {
 typedef enum ShadowRule { SHADOW_BLACK, SHADOW_AMBIENT } ShadowRule;
 typedef enum ViewerRule { VIEWER_CAMERA, VIEWER_RAY } ViewerRule;
 
+/* What a scene file calls them. */
+extern const char *const scene_shadow_rules[], *const scene_viewer_rules[];
+
 typedef struct Shading {
     ShadowRule shadow;
     ViewerRule viewer;

@@ -14,7 +14,9 @@ const SkipText skip_texts[SKIP_KINDS] = {
     [SKIP_BACK_FACE] = {"back_face", "skipped: back face"},
     [SKIP_LIGHT_BLACK] = {"light_black", "skipped: black light"},
     [SKIP_UNREACHABLE_FACE] = {"idle_face", "skipped: idle face"},
+    /* Buys no time that could be measured; it stays because statistics say by it that nothing reflects. */
     [SKIP_MIRRORS] = {"mirrors", "skipped: mirrors"},
+    /* Buys no time that could be measured; it stays because it spares the tree's memory and its building. */
     [SKIP_TREE] = {"tree", "skipped: tree"},
 };
 

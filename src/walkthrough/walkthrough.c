@@ -7,10 +7,33 @@
 
 #include <stdlib.h>
 
-const char *const walkthrough_face_verdicts[] = {"parallel", "behind", "back", "farther", "outside", "inside", "left"};
-const char *const walkthrough_light_verdicts[] = {"behind face", "blocked", "reaches"};
-const char *const walkthrough_path_ends[] = {"missed", "in shadow", "not a mirror", "max bounces"};
-const char *const walkthrough_adaptive_reasons[] = {"same", "edge", "face", "shadow", "highlight"};
+const char *const walkthrough_face_verdicts[] = {
+    [FACE_PARALLEL] = "parallel",
+    [FACE_BEHIND] = "behind",
+    [FACE_BACK] = "back",
+    [FACE_FARTHER] = "farther",
+    [FACE_OUTSIDE] = "outside",
+    [FACE_INSIDE] = "inside",
+    [FACE_LEFT] = "left",
+};
+const char *const walkthrough_light_verdicts[] = {
+    [LIGHT_BEHIND_FACE] = "behind face",
+    [LIGHT_BLOCKED] = "blocked",
+    [LIGHT_REACHES] = "reaches",
+};
+const char *const walkthrough_path_ends[] = {
+    [PATH_MISSED] = "missed",
+    [PATH_IN_SHADOW] = "in shadow",
+    [PATH_NOT_MIRROR] = "not a mirror",
+    [PATH_MAX_BOUNCES] = "max bounces",
+};
+const char *const walkthrough_adaptive_reasons[] = {
+    [ADAPTIVE_SAME] = "same",
+    [ADAPTIVE_EDGE] = "edge",
+    [ADAPTIVE_FACE] = "face",
+    [ADAPTIVE_SHADOW] = "shadow",
+    [ADAPTIVE_HIGHLIGHT] = "highlight",
+};
 
 /* --- Recording --- */
 

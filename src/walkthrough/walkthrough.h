@@ -79,7 +79,7 @@ bool walkthrough_is_hit(const FaceTest *test);
 /* The size of the scene: the longest side of the box around its faces and its camera, as traced. */
 double walkthrough_scene_size(const Scene *scene);
 
-/* One word for a verdict, in the order of the enumerations. */
+/* One word for each value of an enumeration. */
 extern const char *const walkthrough_face_verdicts[];
 extern const char *const walkthrough_light_verdicts[];
 extern const char *const walkthrough_path_ends[];

@@ -46,8 +46,8 @@ static cJSON *scene_json(const Walkthrough *walk, bool *failed)
     json_node_vector(node, "centre", scene->centre);
     json_node_number(node, "faces", scene->face_count);
     json_node_number(node, "lights", scene->light_count);
-    json_node_text(node, "shadow", scene->shading.shadow == SHADOW_BLACK ? "black" : "ambient");
-    json_node_text(node, "viewer", scene->shading.viewer == VIEWER_CAMERA ? "camera" : "ray");
+    json_node_text(node, "shadow", scene_shadow_rules[scene->shading.shadow]);
+    json_node_text(node, "viewer", scene_viewer_rules[scene->shading.viewer]);
     json_node_number(node, "max_bounces", scene->shading.max_bounces);
     json_node_vector(node, "background", scene->shading.background);
     return node.object;

@@ -14,9 +14,15 @@ enum { WIDTH = 1100, LIGHTS_MAX = 100, FACES_MAX = 5000, CAPTIONS_TOP = 592, CAP
 
 static const SvgBox panels[2] = {{60, 90, 535, 500}, {605, 90, 1080, 500}};
 
-static const char *const colours[] = {
-    [LINE_PRIMARY] = "#1f5fa8", [LINE_REFLECTED] = "#b5449a", [LINE_SHADOW] = "#c98a00",
-    [LINE_BLOCKED] = "#c0392b", [LINE_NORMAL] = "#3a9a5b",    [LINE_SHIFT] = "none",
+/* How each kind of line is drawn. Shifts are far too short to be. */
+static const struct {
+    const char *name, *colour, *width;
+} strokes[] = {
+    [LINE_PRIMARY] = {"primary", "#1f5fa8", "2.4"},
+    [LINE_REFLECTED] = {"reflected", "#b5449a", "2.4"},
+    [LINE_SHADOW] = {"shadow", "#c98a00", "1.4"},
+    [LINE_BLOCKED] = {"blocked", "#c0392b", "1.4;stroke-dasharray:6 5"},
+    [LINE_NORMAL] = {"normal", "#3a9a5b", "1.6"},
 };
 
 /* --- What must be seen --- */
@@ -117,7 +123,7 @@ static void draw_line(void *user, const WalkthroughLine *line)
         return;
     svg_line(&painter->view, line->from, line->to, styles[line->kind]);
     if (line->kind == LINE_BLOCKED)
-        svg_cross(&painter->view, line->stop, colours[LINE_BLOCKED]);
+        svg_cross(&painter->view, line->stop, strokes[LINE_BLOCKED].colour);
 }
 
 static void draw_mark(void *user, const WalkthroughLine *line)
@@ -188,17 +194,15 @@ static void draw_head(FILE *out, const Walkthrough *walk)
                  ".face{fill:#8899aa;fill-opacity:.07;stroke:#8899aa;stroke-opacity:.6}\n"
                  ".hit{fill:#3a9a5b;fill-opacity:.18;stroke:#3a9a5b;stroke-width:1.5}\n"
                  ".blocker{fill:#c0392b;fill-opacity:.15;stroke:#c0392b;stroke-width:1.5}\n");
-    static const char *const names[] = {"primary", "reflected", "shadow", "blocked", "normal"};
-    static const char *const widths[] = {"2.4", "2.4", "1.4", "1.4;stroke-dasharray:6 5", "1.6"};
     for (int k = LINE_PRIMARY; k < LINE_SHIFT; k++)
-        fprintf(out, ".%s{stroke:%s;stroke-width:%s}\n", names[k], colours[k], widths[k]);
+        fprintf(out, ".%s{stroke:%s;stroke-width:%s}\n", strokes[k].name, strokes[k].colour, strokes[k].width);
     fprintf(out, "</style>\n<rect width='%d' height='%d' fill='#fafafa'/>\n", WIDTH, height);
     static const WalkthroughLineKind tipped[] = {LINE_PRIMARY, LINE_REFLECTED, LINE_NORMAL};
     for (int k = 0; k < 3; k++)
         fprintf(out,
                 "<marker id='to%d' viewBox='0 0 10 10' refX='9' refY='5' markerWidth='5' markerHeight='5' "
                 "orient='auto'><path d='M0 0L10 5L0 10z' style='fill:%s'/></marker>\n",
-                k + 1, colours[tipped[k]]);
+                k + 1, strokes[tipped[k]].colour);
     fprintf(out, "<text class='big' x='60' y='40'>Pixel (%d, %d) of ", walk->request.column, walk->request.row);
     print_escaped(out, ink_name(walk->scene_name, 50).text);
     fprintf(out, "</text>\n<text x='1050' y='40' text-anchor='end'>(%d, %d, %d)</text>\n", rgb[0], rgb[1], rgb[2]);
