@@ -35,33 +35,60 @@ static bool append(Expansion *e, const char *text, size_t length)
     return true;
 }
 
-/* What follows stands in that line of the file. */
-static bool append_place(Expansion *e, int line, const char *name)
+/* A line of a file, from 1. */
+typedef struct Place {
+    const char *file;
+    int line;
+} Place;
+
+/* What follows stands there. */
+static bool append_place(Expansion *e, Place place)
 {
     char text[MAX_NAME + 32];
-    int length = snprintf(text, sizeof text, "#line %d \"%s\"\n", line, name);
+    int length = snprintf(text, sizeof text, "#line %d \"%s\"\n", place.line, place.file);
     return append(e, text, (size_t)length);
 }
 
-/* The text of a file, which the caller frees if it is not *embedded. */
-static char *read_file(const char *name, bool *embedded, Error *error)
+/* The folder whose files replace those inside the program, or NULL. */
+static const char *folder_of_kernels(void)
 {
     const char *folder = getenv("RECTRAY_KERNELS");
-    *embedded = !folder || !folder[0];
-    if (!*embedded) {
-        char path[4096];
-        long length;
-        snprintf(path, sizeof path, "%s/%s", folder, name);
-        char *text = text_read(path, MAX_SOURCE_BYTES, &length, error);
-        if (!text)
-            error->kind = ERROR_SYSTEM; /* not the scene's fault */
-        return text;
-    }
+    return folder && folder[0] ? folder : NULL;
+}
+
+/* A file inside the program, or NULL. */
+static const char *embedded_text(const char *name, Error *error)
+{
     for (int i = 0; i < kernel_source_count; i++)
         if (strcmp(kernel_sources[i].name, name) == 0)
-            return (char *)(size_t)kernel_sources[i].text;
+            return kernel_sources[i].text;
     error_set(error, ERROR_SYSTEM, "there is no kernel file %s in the program", name);
     return NULL;
+}
+
+/* A file of the folder, which the caller frees, or NULL. */
+static char *folder_text(const char *folder, const char *name, Error *error)
+{
+    char path[4096];
+    long length;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return text_read(path, MAX_SOURCE_BYTES, &length, error);
+}
+
+/* The text of a file; *read is what the caller frees of it. NULL, and what is wrong after the place that includes the
+ * file. The root has no such place. */
+static const char *text_of(const char *name, Place includer, char **read, Error *error)
+{
+    const char *folder = folder_of_kernels();
+    Error reason = {.kind = ERROR_NONE};
+    *read = folder ? folder_text(folder, name, &reason) : NULL;
+    const char *text = folder ? *read : embedded_text(name, &reason);
+    if (!text && includer.file)
+        error_set(error, ERROR_SYSTEM, "%s/%s:%d: %s", folder ? folder : "kernels", includer.file, includer.line,
+                  reason.text);
+    else if (!text)
+        error_set(error, ERROR_SYSTEM, "%s", reason.text);
+    return text;
 }
 
 /* The file that a line of the file `from` includes; false if it is another line. A name without a folder is looked for
@@ -79,25 +106,28 @@ static bool included_file(const Expansion *e, const char *line, const char *from
     }
     if (sscanf(line, "# include %255s", word) != 1)
         return false;
-    const char *form = strcmp(word, "TREE") == 0 ? "packet/%s.cl" : strcmp(word, "BEAM_TREE") == 0 ? "adaptive/beam_%s.cl" : NULL;
+    const char *form = strcmp(word, "TREE") == 0        ? "packet/%s.cl"
+                       : strcmp(word, "BEAM_TREE") == 0 ? "adaptive/beam_%s.cl"
+                                                        : NULL;
     if (form)
         snprintf(name, MAX_NAME, form, e->tree);
     return form != NULL;
 }
 
-static bool expand(Expansion *e, const char *name);
+static bool expand(Expansion *e, const char *name, Place includer);
 
 static bool expand_lines(Expansion *e, const char *name, const char *text)
 {
-    if (!append_place(e, 1, name))
+    Place place = {name, 1};
+    if (!append_place(e, place))
         return false;
-    int number = 1;
-    for (const char *line = text; *line; number++) {
+    for (const char *line = text; *line; place.line++) {
         const char *end = strchr(line, '\n');
         size_t length = end ? (size_t)(end - line) + 1 : strlen(line);
         char included[MAX_NAME];
-        bool ok = included_file(e, line, name, included) ? expand(e, included) && append_place(e, number + 1, name)
-                                                   : append(e, line, length);
+        bool ok = included_file(e, line, name, included)
+                      ? expand(e, included, place) && append_place(e, (Place){name, place.line + 1})
+                      : append(e, line, length);
         if (!ok)
             return false;
         line += length;
@@ -105,26 +135,32 @@ static bool expand_lines(Expansion *e, const char *name, const char *text)
     return append(e, "\n", 1);
 }
 
-static bool expand(Expansion *e, const char *name)
+static bool is_done(const Expansion *e, const char *name)
 {
     for (int i = 0; i < e->done_count; i++)
         if (strcmp(e->done[i], name) == 0)
             return true;
+    return false;
+}
+
+static bool expand(Expansion *e, const char *name, Place includer)
+{
+    if (is_done(e, name))
+        return true;
     if (e->done_count == MAX_SOURCES)
         return error_set(e->error, ERROR_SYSTEM, "the kernels include more than %d files", MAX_SOURCES);
     snprintf(e->done[e->done_count++], MAX_NAME, "%s", name);
-    bool embedded;
-    char *text = read_file(name, &embedded, e->error);
+    char *read;
+    const char *text = text_of(name, includer, &read, e->error);
     bool ok = text && expand_lines(e, name, text);
-    if (!embedded)
-        free(text);
+    free(read);
     return ok;
 }
 
 char *opencl_sources(const char *root, const char *tree, Error *error)
 {
     Expansion e = {.tree = tree, .error = error};
-    if (expand(&e, root))
+    if (expand(&e, root, (Place){NULL, 0}))
         return e.text;
     free(e.text);
     return NULL;

@@ -10,7 +10,8 @@
  * Each #include is replaced by the file that it names, the first time; #line directives keep the places of errors.
  * `#include TREE` stands for the file packet/NAME.cl of the tree, `#include BEAM_TREE` for adaptive/beam_NAME.cl.
  * The files are those inside the program, or those of the folder that the environment variable RECTRAY_KERNELS names.
- * NULL, with the error filled: a file cannot be read, or there is none of that name. The caller frees the text. */
+ * NULL, with the error filled: a file cannot be read, or there is none of that name. The error names the line that
+ * includes it. The caller frees the text. */
 char *opencl_sources(const char *root, const char *tree, Error *error);
 
 #endif
