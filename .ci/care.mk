@@ -80,18 +80,16 @@ valgrind: ## run the commands in valgrind: wrong accesses, what was never set, w
 # --- Style and likely mistakes --------------------------------------------------------------------------------
 
 .PHONY: format
-format: ## give the C sources the style of .clang-format
-	clang-format -i $(wildcard src/*.[ch] src/*/*.[ch] tests/support/*.[ch] tests/*.[ch] tests/stress/*.[ch] tests/fuzz/*.[ch] tests/random/*.[ch])
+format: ## give the C sources of src/ and tests/ the style of .clang-format
+	clang-format -i $$(find src tests -name '*.[ch]')
 
+# The style alone is a suite of its own, which takes a second: make test suite=style.
 .PHONY: lint
-lint: ## look for likely mistakes with clang-tidy (.clang-tidy) and cppcheck
-	@.ci/setup --check lint
-	@$(MAKE) --no-print-directory --silent $(FOUND)
-	@for file in $(wildcard src/*.c src/*/*.c); do \
-	    case $$file in src/base/error.c|src/json/json.c) hint= ;; *) hint="-include .ci/lint.h" ;; esac; \
-	    clang-tidy --quiet --warnings-as-errors='*' $$file -- $(STANDARD) -Isrc -I. $(LIB_CFLAGS) $$hint 2>$(BUILD)/lint.log || \
-	        failed=yes; \
-	done; \
-	test -z "$$failed"
+lint: ## look for likely mistakes: the style, clang-tidy (.clang-tidy), cppcheck (minutes)
+	@$(SETUP) build lint
+	python3 tests/style_test.py
+	@echo "clang-tidy on each source of src/"
+	@printf '%s\n' $(wildcard src/*.c src/*/*.c) | \
+	    xargs -P "$$(nproc)" -I SOURCE .ci/tidy SOURCE $(STANDARD) -Isrc -I. $(LIB_CFLAGS)
 	cppcheck --quiet --std=c99 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	    --suppress=missingIncludeSystem -Isrc -I. -D_POSIX_C_SOURCE=200809L src

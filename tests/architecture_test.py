@@ -119,7 +119,8 @@ class Architecture(unittest.TestCase):
 
     def test_threads_are_known_to_one_file(self):
         knowing = [path.name for path in sorted((ROOT / "src").rglob("*.[ch]"))
-                   if re.search(r"#include <(pthread|threads)\.h>|pthread_mutex|pthread_create", path.read_text(encoding="utf-8"))]
+                   if re.search(r"#include <(pthread|threads)\.h>|pthread_mutex|pthread_create",
+                                path.read_text(encoding="utf-8"))]
         self.assertEqual(knowing, ["parallel.c"])
 
     def test_host_includes_of_the_kernels_only_what_both_share(self):

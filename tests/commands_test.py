@@ -188,9 +188,9 @@ class Kernels(CommandTest):
                      os.sched_getaffinity(0) == set(range(os.cpu_count())), "needs Linux and more than one processor")
 class Threads(CommandTest):
     def processors_of_threads(self, *words, **environment):
-        """What the threads of a render, seen again and again until it ends, may run on for most of their lives. Two kinds
-        do not count: threads that live for less than a tenth of its time, for those that build the tree are sent to
-        their processors and let go; and the first thread, which the driver sends round to look at the processors."""
+        """What the threads of a render, seen again and again until it ends, may run on for most of their lives. Two
+        kinds do not count: threads that live for less than a tenth of its time, for those that build the tree are sent
+        to their processors and let go; and the first thread, which the driver sends round to look at the processors."""
         seen, lives, looks = collections.Counter(), collections.Counter(), 0
         child = subprocess.Popen([PROGRAM, "render", "scene.json", "-q", "-o", "a.png", *words], cwd=self.folder,
                                  env={**os.environ, **environment})

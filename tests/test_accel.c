@@ -93,7 +93,8 @@ static bool visit_blocker(Traversal *walk, int face)
 static bool is_blocked(const Scene *scene, const Accel *accel, Vec3 from, Vec3 to)
 {
     Segment segment = {scene, to, false};
-    Traversal walk = {.origin = from, .direction = vec3_sub(to, from), .limit = 1, .visit = visit_blocker, .user = &segment};
+    Traversal walk = {
+        .origin = from, .direction = vec3_sub(to, from), .limit = 1, .visit = visit_blocker, .user = &segment};
     if (accel_has_tree(accel))
         accel_traverse(accel, &walk);
     else

@@ -1,7 +1,8 @@
-/* The reference against the OpenCL kernels, two tracers that share no code, on every scene in scenes/ and tests/scenes/.
- * The double kernel must give the reference's bytes. The float kernel may be off by more than 1/255 in 0.01 % of the pixels,
- * in one pixel of a picture too small for that share to allow any, and only where the 3 x 3 pixels around show an edge: of
- * a face, of a shadow, or of either in a mirror. A new scene file is tested without a word here. */
+/* The reference against the OpenCL kernels, two tracers that share no code, on every scene in scenes/ and
+ * tests/scenes/. The double kernel must give the reference's bytes. The float kernel may be off by more than 1/255 in
+ * 0.01 % of the pixels, in one pixel of a picture too small for that share to allow any, and only where the 3 x 3
+ * pixels around show an edge: of a face, of a shadow, or of either in a mirror. A new scene file is tested without a
+ * word here. */
 #include "opencl/opencl.h"
 #include "reader/scene_json.h"
 #include "trace/reference_render.h"
@@ -23,7 +24,7 @@ static const AccelKind ACCELS[] = {ACCEL_NONE, ACCEL_BVH};
 static const char *const ACCEL_NAMES[] = {"none", "bvh"};
 enum { ACCEL_KINDS = sizeof ACCELS / sizeof ACCELS[0] };
 
-/* Where every face is asked, all other work is done, too, that could be left out, but for what the reference leaves out. */
+/* Where every face is asked, all other work that could be left out is done, too, but for what the reference omits. */
 enum { DOES_ALL = ((1 << SKIP_KINDS) - 1) & ~(1 << SKIP_LIGHT_BEHIND) };
 
 /* How a kernel is built: `accel` is an index into ACCELS. */

@@ -169,7 +169,8 @@ static void faces_should_be_centred_rounded_once_and_get_their_planes(void)
     scene.lights[0].position = vec3(1000, 2000, 3004);
     scene.light_count = 1;
     const Vec3 points[3] = {{1000.1, 2000, 3000}, {1002, 2000, 3000}, {1001, 2002, 3000}};
-    TEST_ASSERT_TRUE(add_points(points, 3) && scene_build_face(&build, in_order, 3, -1, 0) && scene_build_finish(&build));
+    TEST_ASSERT_TRUE(add_points(points, 3) && scene_build_face(&build, in_order, 3, -1, 0) &&
+                     scene_build_finish(&build));
     Vec3 c = scene.centre;
     assert_vec3_within(0.002, vec3(1001.05, 2001, 3000), c);
     TEST_ASSERT_EQUAL(1, scene.face_count);
@@ -232,7 +233,8 @@ static void box_should_stay_wound_outward_when_turned_and_mirrored(void)
 static void split_should_cut_from_vertex_0_to_2_and_keep_the_number(void)
 {
     const Vec3 bent[4] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}};
-    TEST_ASSERT_TRUE(scene_build_object(&build, "bent", (SceneBuildObject){.transform = transform_identity(), .split = true}));
+    TEST_ASSERT_TRUE(
+        scene_build_object(&build, "bent", (SceneBuildObject){.transform = transform_identity(), .split = true}));
     TEST_ASSERT_TRUE(add_points(bent, 4) && scene_build_face(&build, in_order, 4, -1, 0));
     TEST_ASSERT_TRUE(scene_build_face(&build, (const int[]){0, 1, 2}, 3, -1, 1) && scene_build_finish(&build));
     TEST_ASSERT_EQUAL(3, scene.face_count);
@@ -248,15 +250,18 @@ static void split_should_cut_from_vertex_0_to_2_and_keep_the_number(void)
 
 static void split_should_leave_a_planar_face_whole(void)
 {
-    TEST_ASSERT_TRUE(scene_build_object(&build, "flat", (SceneBuildObject){.transform = transform_identity(), .split = true}));
+    TEST_ASSERT_TRUE(
+        scene_build_object(&build, "flat", (SceneBuildObject){.transform = transform_identity(), .split = true}));
     TEST_ASSERT_TRUE(add_points(square, 4) && scene_build_face(&build, in_order, 4, -1, 0));
     TEST_ASSERT_EQUAL(1, build.face_count);
 }
 
 static void the_front_should_stay_the_front_in_a_mirror(void)
 {
-    TEST_ASSERT_TRUE(scene_build_object(&build, "mirrored", (SceneBuildObject){.transform = transform_scale(vec3(-1, 1, 1))}));
-    TEST_ASSERT_TRUE(add_points(square, 4) && scene_build_face(&build, in_order, 4, -1, 0) && scene_build_finish(&build));
+    TEST_ASSERT_TRUE(
+        scene_build_object(&build, "mirrored", (SceneBuildObject){.transform = transform_scale(vec3(-1, 1, 1))}));
+    TEST_ASSERT_TRUE(add_points(square, 4) && scene_build_face(&build, in_order, 4, -1, 0) &&
+                     scene_build_finish(&build));
     assert_vec3_within(0, vec3(0, 0, 1), scene.planes[0].normal);
     assert_vec3_within(0, vec3_negate(scene.centre), face_vertex(&scene.faces[0], 0)); /* vertex 0 stays the first */
 }
@@ -285,7 +290,8 @@ static void finish_should_accept_a_scene_far_away_from_the_origin(void)
     scene.camera.position = vec3(1e15, 0, 9);
     scene.camera.look_at = vec3(1e15, 0, 0);
     const Vec3 points[3] = {{1e15, 0, 0}, {1e15 + 8, 0, 0}, {1e15, 8, 0}};
-    TEST_ASSERT_TRUE(add_points(points, 3) && scene_build_face(&build, in_order, 3, -1, 0) && scene_build_finish(&build));
+    TEST_ASSERT_TRUE(add_points(points, 3) && scene_build_face(&build, in_order, 3, -1, 0) &&
+                     scene_build_finish(&build));
     TEST_ASSERT_TRUE(scene.faces[0].vertices[1][0] - scene.faces[0].vertices[0][0] == 8);
 }
 

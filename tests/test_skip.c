@@ -1,5 +1,5 @@
-/* Work that is left out: each kind is counted where a scene lets it be left out, is done where it must, and never changes a
- * byte. The pictures of all scene files, with and without, are compared in test_backends.c. */
+/* Work that is left out: each kind is counted where a scene lets it be left out, is done where it must, and never
+ * changes a byte. The pictures of all scene files, with and without, are compared in test_backends.c. */
 #include "opencl/opencl.h"
 #include "trace/reference_render.h"
 #include "trace/skip.h"
@@ -21,7 +21,7 @@ static const Material SHINY = {
     .ambient = {0.1, 0.1, 0.2}, .diffuse = {0.4, 0.5, 0.6}, .specular = {0.8, 0.7, 0.6}, .shininess = 40};
 static const Material MIRROR = {.ambient = {0.1, 0.2, 0.1}, .diffuse = {0.3, 0.3, 0.3}, .reflection = 0.5};
 
-/* The camera at the origin looks along -z; the rays through the pixels' centres have x and y of odd multiples of 1/4. */
+/* The camera at the origin looks along -z; x and y of the rays through the pixels' centres are odd multiples of 1/4. */
 void setUp(void)
 {
     small_scene_begin(&small);
@@ -167,8 +167,8 @@ static void tiles_beside_the_scene_should_cast_no_rays(void)
     assert_skipped(SKIP_EMPTY_TILE, ACCEL_NONE, 0);
 }
 
-/* Between two mirrors that face one another a box throws its shadow: of four tiles some see one wall, in mirror after mirror, in the
- * light or in the shadow, others a part of the box, or their light is cut by it. */
+/* Between two mirrors that face one another a box throws its shadow: of four tiles some see one wall, in mirror after
+ * mirror, in the light or in the shadow, others a part of the box, or their light is cut by it. */
 static void tiles_that_see_the_same_should_be_traced_by_their_corners(void)
 {
     uint64_t whole = 0;
@@ -248,7 +248,7 @@ static void faces_that_no_ray_can_hit_should_be_left_out(void)
     small_scene_face(&small, matt, face_at_height(-1, -1, 1, 1, -3))->front_only = 1;
     small_scene_face(&small, matt, face_at_height(-1, -1, 1, 1, 3))->front_only = 1;
     small_scene_light(&small, vec3(0, 2, -1));
-    /* The first two are seen; the third one, behind the camera, might block light from its front to the light behind it. */
+    /* The first two are seen; the third, behind the camera, might block light from its front to the light behind it. */
     assert_skipped(SKIP_UNREACHABLE_FACE, ACCEL_NONE, 0);
     small.lights[0].position = vec3(0, 2, 5);
     assert_skipped(SKIP_UNREACHABLE_FACE, ACCEL_NONE, 1); /* one-sided, it lets the light through from its back */

@@ -6,12 +6,14 @@
 
 #include <stdbool.h>
 
-/* Returns the text of the kernel file `root`, such as "tile/render.cl", for a tree named "bvh", "kdtree" or "all_faces".
+/* Returns the text of a kernel file and of all that it includes. The caller frees it.
+ *   root   "tile/render.cl" and the like
+ *   tree   "bvh", "kdtree" or "all_faces"
  * Each #include is replaced by the file that it names, the first time; #line directives keep the places of errors.
  * `#include TREE` stands for the file packet/NAME.cl of the tree, `#include BEAM_TREE` for adaptive/beam_NAME.cl.
  * The files are those inside the program, or those of the folder that the environment variable RECTRAY_KERNELS names.
  * NULL, with the error filled: a file cannot be read, or there is none of that name. The error names the line that
- * includes it. The caller frees the text. */
+ * includes the file. */
 char *opencl_sources(const char *root, const char *tree, Error *error);
 
 #endif

@@ -22,7 +22,8 @@ int fuzz_obj(const uint8_t *data, size_t size)
         .grid = 1,
     };
     SceneBuild build = {.scene = &scene, .error = &error};
-    SceneBuildObject object = {.transform = transform_identity(), .material = length % 2 ? 0 : -1, .split = length % 4 < 2};
+    SceneBuildObject object = {
+        .transform = transform_identity(), .material = length % 2 ? 0 : -1, .split = length % 4 < 2};
     REQUIRE(scene_build_material(&build, (Material){.name = "own", .ambient = {1, 1, 1}}) == 0);
     REQUIRE(names_add(&build.materials, scene.materials[0].name, 0, &error));
     REQUIRE(scene_build_object(&build, "model", object));

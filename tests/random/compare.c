@@ -1,5 +1,5 @@
-/* Renders scenes on both backends and compares. From stdin it reads lines "PATH LANES ACCEL" (lanes as --lanes takes them,
- * or 0; accel none, bvh or kdtree), and answers each with one line:
+/* Renders scenes on both backends and compares. From stdin it reads lines "PATH LANES ACCEL" (lanes as --lanes takes
+ * them, or 0; accel none, bvh or kdtree), and answers each with one line:
  *     equal PIXELS OFF                            the double kernel gives the reference's picture and counts of rays;
  *                                                 OFF pixels of the float kernel's are off by more than 1/255
  *     double COLUMN ROW DIFFERENCE                the worst pixel where the double kernel's picture differs
@@ -94,8 +94,8 @@ static Off away_from_edges(const Scene *scene, const Picture *expected, const Pi
     return off;
 }
 
-/* Where every face is asked, all other work is done, too, that could be left out, but for what the reference leaves out; then
- * all counts are equal. With a tree, work is left out. */
+/* Where every face is asked, all other work is done, too, that could be left out, but for what the reference leaves
+ * out; then all counts are equal. With a tree, work is left out. */
 enum { DOES_ALL = ((1 << SKIP_KINDS) - 1) & ~(1 << SKIP_LIGHT_BEHIND) };
 
 static bool same_counts(const RenderReport *expected, const RenderReport *found, bool all)

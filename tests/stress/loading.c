@@ -15,7 +15,8 @@ static bool build_one(Scene *scene, const Vec3 *corners, int count, char *reason
     SceneBuild build = {.scene = scene, .error = &error};
     int material = scene_build_material(&build, (Material){.name = "dull"});
     const int vertices[4] = {0, 1, 2, 3};
-    bool good = scene_build_object(&build, "face", (SceneBuildObject){.transform = transform_identity(), .material = material});
+    bool good =
+        scene_build_object(&build, "face", (SceneBuildObject){.transform = transform_identity(), .material = material});
     for (int k = 0; good && k < count; k++)
         good = scene_build_point(&build, corners[k]);
     good = good && scene_build_face(&build, vertices, count, material, 0) && scene_build_finish(&build);
