@@ -1,4 +1,4 @@
-/* What the formulas of tracing say. docs/algorithm.md derives each one and proves its bounds.
+/* What the formulas of tracing say. docs/algorithm.md derives each one, docs/bounds.md proves the bounds.
  * A value is computed in double; where it is closer to zero than its rounding error, exact.c decides its sign. */
 #include "scene/geometry.h"
 
@@ -178,7 +178,7 @@ int plane_side(const Face *face, const Plane *plane, Vec3 point)
 }
 
 /* det(R, a - O, b - O), its sign exact. Eight roundings meet in a term of the sum, as in Shewchuk's orient3d
- * (1997, section 4.3); docs/algorithm.md counts them. */
+ * (1997, section 4.3); docs/bounds.md counts them. */
 static double edge_determinant(Vec3 origin, ExactVec3 r, Vec3 a, Vec3 b)
 {
     Vec3 p = vec3_sub(a, origin), q = vec3_sub(b, origin), d = r.high;

@@ -1,6 +1,6 @@
 /* What the formulas of tracing say: screen mapping, planes, the plane hit, the inside test, the shifted point.
  * Pure functions of their arguments, in double. Every yes-or-no they give (parallel, behind, which side of an
- * edge) is exact for the numbers they are given: see exact.h and docs/algorithm.md. */
+ * edge) is exact for the numbers they are given: see exact.h and docs/bounds.md. */
 #ifndef RECTRAY_GEOMETRY_H
 #define RECTRAY_GEOMETRY_H
 
@@ -83,7 +83,7 @@ FaceTest face_test_segment(const Face *face, const Plane *plane, Vec3 from, Vec3
 int plane_side(const Face *face, const Plane *plane, Vec3 point);
 
 /* The point P (on the face but for rounding) moved along the unit vector n = +N or -N so that it lies on n's side of the
- * plane, about 8 ulp of the coordinates away. The bound is proved in docs/algorithm.md. */
+ * plane, about 8 ulp of the coordinates away. The bound is proved in docs/bounds.md. */
 Vec3 point_shifted(const Face *face, const Plane *plane, Vec3 n, Vec3 point);
 
 #endif

@@ -1,6 +1,6 @@
 /* Adaptive sampling: is one ray through its centre enough for a pixel? It is where the path of that ray is the path of
  * every ray of the pixel: the same faces, the same lights, and light that changes too evenly over the pixel to matter.
- * Then the ray's colour is the pixel's average; else the pixel gets a lattice of samples. docs/algorithm.md, step 14. */
+ * Then the ray's colour is the pixel's average; else it gets a lattice of samples. docs/algorithm.md, section 12. */
 #ifndef RECTRAY_ADAPTIVE_H
 #define RECTRAY_ADAPTIVE_H
 
