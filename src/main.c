@@ -24,8 +24,8 @@ static const Command commands[] = {
     {0},
 };
 
-/* A closed standard stream would give its number to the next file that is opened, and messages would go into the picture.
- * Its place is taken by an end of /dev/null that fails, so that nobody takes lost output for written. */
+/* A closed standard stream would give its number to the next file that is opened, and messages would go into the
+ * picture. Its place is taken by an end of /dev/null that fails, so that nobody takes lost output for written. */
 static void occupy_standard_streams(void)
 {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)

@@ -34,4 +34,7 @@ bool error_set(Error *error, ErrorKind kind, const char *format, ...)
     return false;
 }
 
-bool error_memory(Error *error, const char *what) { return error_set(error, ERROR_SYSTEM, "out of memory (%s)", what); }
+bool error_memory(Error *error, const char *what)
+{
+    return error_set(error, ERROR_SYSTEM, "out of memory (%s)", what);
+}

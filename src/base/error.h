@@ -20,8 +20,8 @@ typedef struct Error {
 } Error;
 
 /* Fills the error, printf-like, and returns false, so that a function can `return error_set(...)`.
- * A message that does not fit is cut at a character and ends in "..."; control characters other than newline and tab become
- * question marks. The first error stays: a later one does not hide it. */
+ * A message that does not fit is cut at a character and ends in "..."; control characters other than newline and tab
+ * become question marks. The first error stays: a later one does not hide it. */
 bool error_set(Error *error, ErrorKind kind, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 3, 4)))

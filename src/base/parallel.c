@@ -13,7 +13,10 @@ int parallel_threads(int wanted)
     return 1;
 }
 
-bool parallel_may_use_all(void) { return false; }
+bool parallel_may_use_all(void)
+{
+    return false;
+}
 
 void parallel_for(int wanted, int count, void (*work)(void *data, int i, int thread), void *data)
 {
@@ -43,7 +46,8 @@ typedef struct Call {
 } Call;
 
 #ifdef __linux__
-/* The processors that threads 0, 1, ... begin on: those that this one may use, one after the other from the present one. */
+/* The processors that threads 0, 1, ... begin on: those that
+ * this one may use, one after the other from the present one. */
 static void choose_processors(Call *calls, int count)
 {
     cpu_set_t allowed;

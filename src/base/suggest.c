@@ -7,7 +7,10 @@
 
 enum { LONGEST = 48 }; /* no known word is longer; a longer mistake is near to none of them */
 
-static int smaller(int a, int b) { return a < b ? a : b; }
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
 
 /* Both words are at most LONGEST long. d[i][j] is the distance of the first i letters of a to the first j of b. */
 static int word_distance(const char *a, const char *b)

@@ -8,8 +8,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* "PATH: WHAT: reason of errno", and false. A wrong path is the user's mistake (ERROR_INPUT); a failing disk, no memory or a
- * full table of files is the system's. */
+/* "PATH: WHAT: reason of errno", and false. A wrong path is the user's mistake (ERROR_INPUT); a failing disk, no memory
+ * or a full table of files is the system's. */
 bool text_fail_errno(const char *path, const char *what, Error *error);
 
 enum { TEXT_LINE_MAX = 65535 }; /* the longest line that text_next_line reads, in bytes */
@@ -57,11 +57,12 @@ int text_utf8_length(const char *c);
 /* Whether a text begins with the byte order mark of UTF-16, as some editors' "Unicode" does. */
 bool text_is_utf16(const char *text);
 
-/* Replaces each byte that is no part of UTF-8 by '?': a file's name and a word of a model may be any bytes, but JSON, SVG
- * and terminals want UTF-8. */
+/* Replaces each byte that is no part of UTF-8 by '?': a file's name and a word of a model may be any bytes, but JSON,
+ * SVG and terminals want UTF-8. */
 void text_make_utf8(char *text);
 
-/* A decimal number as C prints them (1, -1.5, .5, 1., 2e-3), all of the word and finite; not hexadecimal, inf or nan. */
+/* A decimal number as C prints them (1, -1.5, .5, 1., 2e-3),
+ * all of the word and finite; not hexadecimal, inf or nan. */
 bool text_number(const char *word, double *value);
 
 #endif

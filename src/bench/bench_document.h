@@ -12,8 +12,8 @@ typedef struct BenchDocument {
     char *begin, *end;
 } BenchDocument;
 
-/* Reads the page and finds the marks: two whole lines, each with its newline. A NULL path wants none. A page that is not
- * there or has no such marks is an error, to be told before anything is measured. */
+/* Reads the page and finds the marks: two whole lines, each with its newline. A NULL path wants none. A page that is
+ * not there or has no such marks is an error, to be told before anything is measured. */
 bool bench_document_read(BenchDocument *document, const char *path, const char *begin, const char *end, Error *error);
 
 /* Replaces what is between the marks by what `print` writes. */

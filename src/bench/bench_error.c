@@ -1,8 +1,8 @@
 /* Time against error. To add a choice, see list_choices. */
 #include "bench/bench_error.h"
 
-#include "bench/bench_measure.h"
 #include "bench/bench_ground_truth.h"
+#include "bench/bench_measure.h"
 #include "reader/scene_json.h"
 
 #include <assert.h>
@@ -138,7 +138,8 @@ static bool is_better(const ErrorChoice *a, const ErrorChoice *b)
            (a->ms == b->ms && a->error.rmse < b->error.rmse);
 }
 
-/* Finds the Pareto front; a dominated choice names the most accurate of those that are better, and of them the fastest. */
+/* Finds the Pareto front; a dominated choice names the most
+ * accurate of those that are better, and of them the fastest. */
 static void find_front(BenchError *result)
 {
     for (int i = 0; i < result->choice_count; i++) {

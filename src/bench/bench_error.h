@@ -1,5 +1,5 @@
-/* Time against error: what each choice that the renderer offers costs, and how far its picture is from the truth; and which
- * causes the error of the default has. */
+/* Time against error: what each choice that the renderer offers costs, and how far its picture is from the truth; and
+ * which causes the error of the default has. */
 #ifndef RECTRAY_BENCH_ERROR_H
 #define RECTRAY_BENCH_ERROR_H
 
@@ -16,8 +16,8 @@ typedef enum ErrorSeries {
     SERIES_ADAPTIVE,  /* float, adaptive for one N after another */
     SERIES_ADAPTIVE_DOUBLE,
     SERIES_ADAPTIVE_REFERENCE,
-    SERIES_BOUNCES,   /* float, grid 4, fewer bounces than the scene allows */
-    SERIES_ACCEL      /* float, grid 4, other ways of finding faces */
+    SERIES_BOUNCES, /* float, grid 4, fewer bounces than the scene allows */
+    SERIES_ACCEL    /* float, grid 4, other ways of finding faces */
 } ErrorSeries;
 
 typedef struct ErrorChoice {
@@ -44,7 +44,7 @@ typedef struct ErrorCauses {
 typedef struct BenchError {
     BenchScene scene;
     int faces, bounces;
-    bool adaptive; /* so is the default: the scene says so, and no grid was given */
+    bool adaptive;                   /* so is the default: the scene says so, and no grid was given */
     double truth_error, truth_check; /* see bench_ground_truth.h */
     ErrorChoice choices[ERROR_MAX_CHOICES];
     int choice_count;
@@ -56,8 +56,8 @@ typedef struct BenchError {
  * take over five is left out.
  *
  * The causes, for the OpenCL backend in float with the scene's sampling and bounces:
- * arithmetic, float against double on the same rays; sampling, double against the truth; truncation, the scene's bounces
- * against 64; output, linear colours against their bytes; all, the bytes against the truth of 64 bounces. */
+ * arithmetic, float against double on the same rays; sampling, double against the truth; truncation, the scene's
+ * bounces against 64; output, linear colours against their bytes; all, the bytes against the truth of 64 bounces. */
 bool bench_error(BenchError *result, const BenchScene *scene, const BenchPlan *plan, Error *error);
 
 /* Where no size is wanted: the scene's own shape in about 160 x 120 pixels. Where no grid is: the scene's. */

@@ -107,7 +107,8 @@ static void print_causes(FILE *out, const BenchErrors *errors)
         const BenchError *result = &errors->scenes[i];
         const ErrorCauses *c = &result->causes;
         fprintf(out, "| %s, %s %d, %d bounces | %.1e | %.1e | %.1e | %.1e | %.1e |\n", result->scene.name,
-                result->adaptive ? "adaptive" : "grid", result->scene.grid, result->bounces, c->arithmetic, c->sampling, c->truncation, c->output, c->all);
+                result->adaptive ? "adaptive" : "grid", result->scene.grid, result->bounces, c->arithmetic, c->sampling,
+                c->truncation, c->output, c->all);
     }
 }
 
@@ -153,9 +154,8 @@ static void write_choice(FILE *out, const BenchError *result, const ErrorChoice 
     write_text(out, result->scene.name);
     fprintf(out, ",%d,%d,\"%s\",%s,%s,%s,%s,%s,%d,%d,%d,", result->scene.columns, result->scene.rows, choice->name,
             series[choice->series], render_backends[choice->backend], render_precisions[choice->precision],
-            render_accels[choice->accel],
-            choice->adaptive ? "adaptive" : "uniform", choice->grid,
-            choice->bounces, choice->runs);
+            render_accels[choice->accel], choice->adaptive ? "adaptive" : "uniform", choice->grid, choice->bounces,
+            choice->runs);
     if (choice->runs == 0) {
         fputs(",,,,,,,,,,\n", out);
         return;
@@ -176,10 +176,9 @@ bool bench_error_write_csv(const BenchError *result, const BenchFolder *folder, 
     FILE *out = fopen(path.text, "w");
     if (!out)
         return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", path.text, strerror(errno));
-    fputs(
-        "scene,columns,rows,choice,series,backend,precision,accel,sampling,grid,bounces,runs,trace_ms,rmse,max_error,share_off,"
-        "psnr_db,primary,shadow,reflection,on_front,better,truth_error\n",
-        out);
+    fputs("scene,columns,rows,choice,series,backend,precision,accel,sampling,grid,bounces,runs,trace_ms,"
+          "rmse,max_error,share_off,psnr_db,primary,shadow,reflection,on_front,better,truth_error\n",
+          out);
     for (int i = 0; i < result->choice_count; i++)
         write_choice(out, result, &result->choices[i]);
     return fclose(out) == 0 || error_set(error, ERROR_SYSTEM, "cannot write %s", path.text);

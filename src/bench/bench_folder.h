@@ -1,5 +1,5 @@
-/* Where bench puts its files: in the folder that the user chose, where they stay, or in a temporary one that goes with all
- * that is in it, even where the program is killed. */
+/* Where bench puts its files: in the folder that the user chose, where they stay, or in a temporary one that goes with
+ * all that is in it, even where the program is killed. */
 #ifndef RECTRAY_BENCH_FOLDER_H
 #define RECTRAY_BENCH_FOLDER_H
 

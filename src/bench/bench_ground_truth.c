@@ -9,7 +9,8 @@
 
 enum { MOST_PIXELS = 1 << 22 }; /* of the larger picture: 100 MB of colours */
 
-/* How many pixels of the larger picture, across and down, make one: the largest divisor of the grid that the limits allow. */
+/* How many pixels of the larger picture, across and down, make
+ * one: the largest divisor of the grid that the limits allow. */
 static int block_size(const Scene *scene, int grid)
 {
     for (int block = grid; block > 1; block--) {

@@ -1,4 +1,5 @@
-/* The ladder: the scenes on which every figure in docs/ stands. To add a rung: its line in the table in bench_ladder.c. */
+/* The ladder: the scenes on which every figure in docs/ stands.
+ * To add a rung: its line in the table in bench_ladder.c. */
 #ifndef RECTRAY_BENCH_LADDER_H
 #define RECTRAY_BENCH_LADDER_H
 

@@ -1,8 +1,8 @@
 /* Pictures in linear colours. */
 #include "bench/bench_picture.h"
 
-#include "scene/light.h"
 #include "opencl/backend.h"
+#include "scene/light.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,8 +2,8 @@
 #ifndef RECTRAY_BENCH_PICTURE_H
 #define RECTRAY_BENCH_PICTURE_H
 
-#include "trace/render.h"
 #include "scene/scene.h"
+#include "trace/render.h"
 
 typedef struct BenchPicture {
     int columns, rows;

@@ -71,7 +71,8 @@ static bool render_process(const BenchScene *scene, const BenchFolder *folder, R
                           NULL};
     if (!process_run(argv, line, sizeof line, &run->wall_ms, error))
         return false;
-    return read_phases(line, &run->phases, &run->peak_bytes) || error_set(error, ERROR_SYSTEM, "render told no statistics");
+    return read_phases(line, &run->phases, &run->peak_bytes) ||
+           error_set(error, ERROR_SYSTEM, "render told no statistics");
 }
 
 static bool empty_cache(const BenchFolder *folder, Error *error)
@@ -82,8 +83,10 @@ static bool empty_cache(const BenchFolder *folder, Error *error)
     return process_run(empty, NULL, 0, &ms, error) && process_run(make, NULL, 0, &ms, error);
 }
 
-/* The run whose wall-clock time is the median stands for all of them: its phases add up. The memory is the last one's. */
-static bool median_process(const BenchScene *scene, const BenchFolder *folder, bool cold, int repeats, Run *median, Error *error)
+/* The run whose wall-clock time is the median stands for all
+ * of them: its phases add up. The memory is the last one's. */
+static bool median_process(const BenchScene *scene, const BenchFolder *folder, bool cold, int repeats, Run *median,
+                           Error *error)
 {
     Run runs[BENCH_MAX_REPEATS];
     double sorted[BENCH_MAX_REPEATS];

@@ -82,7 +82,8 @@ static void print_kinds(FILE *out, const Bench *bench)
 
 static void print_builds(FILE *out, const Bench *bench)
 {
-    fputs("\n| scene | faces | our build, ms | Embree's, ms | ours / Embree's | our memory on the device, bytes per face | Embree's |\n"
+    fputs("\n| scene | faces | our build, ms | Embree's, ms | ours / Embree's | our memory on the device, bytes per "
+          "face | Embree's |\n"
           "| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
           out);
     for (int i = 0; i < bench->trace_count; i++) {
@@ -100,7 +101,8 @@ static void print_builds(FILE *out, const Bench *bench)
 /* What is left out, scene by scene. */
 static void print_skips(FILE *out, const Bench *bench)
 {
-    fputs("\n| scene | left out | how much of it | with it left out, ms | with it done, ms | done / left out | the picture |\n"
+    fputs("\n| scene | left out | how much of it | with it left out, ms | with it done, ms | done / left out | the "
+          "picture |\n"
           "| --- | --- | ---: | ---: | ---: | ---: | --- |\n",
           out);
     for (int i = 0; i < bench->trace_count; i++)

@@ -21,7 +21,8 @@ typedef struct Sides {
 } Sides;
 
 /* One kind of work. */
-static bool measure_skip(BenchSkip *result, int skip, const Scene *scene, Sides *sides, const BenchPlan *plan, Error *error)
+static bool measure_skip(BenchSkip *result, int skip, const Scene *scene, Sides *sides, const BenchPlan *plan,
+                         Error *error)
 {
     double times[2][MOST_REPEATS];
     int repeats = plan->repeats < MOST_REPEATS ? plan->repeats : MOST_REPEATS;
@@ -44,7 +45,8 @@ static bool measure_skip(BenchSkip *result, int skip, const Scene *scene, Sides 
     return true;
 }
 
-bool bench_skips(BenchSkip skips[SKIP_KINDS], const RenderReport *report, const Scene *scene, const BenchPlan *plan, Error *error)
+bool bench_skips(BenchSkip skips[SKIP_KINDS], const RenderReport *report, const Scene *scene, const BenchPlan *plan,
+                 Error *error)
 {
     size_t bytes = (size_t)scene->screen.columns * (size_t)scene->screen.rows * 3;
     Sides sides = {.left = {scene->screen.columns, scene->screen.rows, malloc(bytes)}};

@@ -13,6 +13,7 @@ typedef struct BenchSkip {
 } BenchSkip;
 
 /* Measures, turn by turn, each kind of work that was left out of the scene when the report was made. */
-bool bench_skips(BenchSkip skips[SKIP_KINDS], const RenderReport *report, const Scene *scene, const BenchPlan *plan, Error *error);
+bool bench_skips(BenchSkip skips[SKIP_KINDS], const RenderReport *report, const Scene *scene, const BenchPlan *plan,
+                 Error *error);
 
 #endif

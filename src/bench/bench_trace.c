@@ -202,11 +202,12 @@ bool bench_trace(BenchTrace *result, const BenchScene *wanted, const BenchPlan *
         return error_memory(error, "the picture");
     }
     OpenclScene *held = hold_repeatedly(result, &scene, plan, error);
-    bool done = held && peer_start(&peer, result, plan, error) &&
-                trace_in_turns(result, held, plan, &peer, &picture, error);
+    bool done =
+        held && peer_start(&peer, result, plan, error) && trace_in_turns(result, held, plan, &peer, &picture, error);
     opencl_release(held);
     done = done && (!result->has_peer || peer_finish(&peer, result, plan, &picture, error)) &&
-                trace_by_kind(result, &scene, plan, error) && (!plan->skips || bench_skips(result->skips, &result->report, &scene, plan, error));
+           trace_by_kind(result, &scene, plan, error) &&
+           (!plan->skips || bench_skips(result->skips, &result->report, &scene, plan, error));
     process_end(&peer);
     image_free(&picture);
     scene_free(&scene);

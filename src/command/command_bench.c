@@ -1,12 +1,12 @@
 /* rectray bench: measures scenes, or the ladder of scenes on which every figure of docs/performance.md stands.
  * `bench error` is command_bench_error.c. */
+#include "base/text.h"
 #include "bench/bench_document.h"
 #include "bench/bench_json.h"
 #include "bench/bench_ladder.h"
 #include "bench/bench_machine.h"
 #include "bench/bench_report.h"
 #include "command/command.h"
-#include "base/text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -178,7 +178,8 @@ bool command_bench(const Options *options, Error *error)
     Bench *bench = calloc(1, sizeof *bench);
     if (!bench)
         return error_memory(error, "the measurements");
-    bench->plan = (BenchPlan){.settings = options->settings, .repeats = options->repeats > 0 ? options->repeats : 5, .skips = true};
+    bench->plan = (BenchPlan){
+        .settings = options->settings, .repeats = options->repeats > 0 ? options->repeats : 5, .skips = true};
     bool done = bench_folder_open(&bench->plan.folder, options->folder, error);
     if (done) {
         done = measure_and_report(bench, options, error);

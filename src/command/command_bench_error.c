@@ -1,10 +1,10 @@
 /* rectray bench error: for each choice that the renderer offers, its time and its distance from the truth. */
+#include "base/text.h"
 #include "bench/bench_document.h"
 #include "bench/bench_error_report.h"
 #include "bench/bench_ladder.h"
 #include "bench/bench_machine.h"
 #include "command/command.h"
-#include "base/text.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,12 +1,12 @@
 /* rectray cast: rays in, one a line, their nearest hits out as CSV. Rays are read, cast and written in batches, so that
  * any number of them passes through, and a device has enough to do at once. */
 #include "base/clock.h"
-#include "command/command.h"
-#include "opencl/backend.h"
-#include "scene/geometry.h"
-#include "reader/scene_json.h"
-#include "command/stats.h"
 #include "base/words.h"
+#include "command/command.h"
+#include "command/stats.h"
+#include "opencl/backend.h"
+#include "reader/scene_json.h"
+#include "scene/geometry.h"
 
 #include <errno.h>
 #include <math.h>
@@ -80,8 +80,12 @@ static long read_batch(Cast *cast, Error *error)
 
 /* --- Casting --- */
 
-/* Directions are divided by a power of two, which is exact, so that their largest component is in [0.5, 1): floats hold it. */
-static int direction_exponent(const double *ray) { return vec3_exponent(vec3(ray[3], ray[4], ray[5])); }
+/* Directions are divided by a power of two, which is exact, so
+ * that their largest component is in [0.5, 1): floats hold it. */
+static int direction_exponent(const double *ray)
+{
+    return vec3_exponent(vec3(ray[3], ray[4], ray[5]));
+}
 
 static void localise(const Cast *cast, long count)
 {
@@ -196,8 +200,7 @@ static bool open_rays(Cast *cast, Error *error)
     cast->world = malloc(6 * sizeof *cast->world * BATCH);
     cast->local = malloc(6 * sizeof *cast->local * BATCH);
     cast->hits = malloc(BATCH * sizeof *cast->hits);
-    return cast->lines.buffer && cast->world && cast->local && cast->hits ? true
-                                                                                  : error_memory(error, "the rays");
+    return cast->lines.buffer && cast->world && cast->local && cast->hits ? true : error_memory(error, "the rays");
 }
 
 static void close_rays(Cast *cast)
@@ -218,10 +221,10 @@ bool command_cast(const Options *options, Error *error)
     Cast cast = {.options = options, .scene = &scene};
     cast.stats = stats_begin(&scene, options->backend, options->settings.precision);
     cast.stats.parse_ms = clock_ms() - start;
-    bool done = open_rays(&cast, error) &&
-                backend_caster_open(&cast.caster, options->backend, &scene, &options->settings, &cast.stats.report,
-                                    error) &&
-                cast_all(&cast, error);
+    bool done =
+        open_rays(&cast, error) &&
+        backend_caster_open(&cast.caster, options->backend, &scene, &options->settings, &cast.stats.report, error) &&
+        cast_all(&cast, error);
     cast.stats.total_ms = clock_ms() - start;
     if (done) /* stdout holds the hits */
         done = stats_print(stderr, options->stats, &cast.stats, error);

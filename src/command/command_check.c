@@ -1,10 +1,10 @@
 /* rectray check: reads a scene as render would, and tells what it holds, what rendering it needs and what of it can be
  * left out. With --geometry: every face exactly as it is traced, for programs (docs/commands.md has the format). */
+#include "base/text.h"
 #include "command/command.h"
 #include "reader/scene_json.h"
-#include "trace/skip.h"
 #include "scene/survey.h"
-#include "base/text.h"
+#include "trace/skip.h"
 
 #include <cjson/cJSON.h>
 #include <stdlib.h>

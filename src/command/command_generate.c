@@ -1,7 +1,7 @@
 /* rectray generate: writes a seeded scene of a given size, as text that goes out while it is made. */
+#include "base/output.h"
 #include "command/command.h"
 #include "reader/generate.h"
-#include "base/output.h"
 
 #include <string.h>
 

@@ -1,16 +1,16 @@
 /* rectray render: a scene file in, a picture out. The backend hands on bands of rows; each is encoded at once, so
  * that no more than a band of the picture is ever in memory. */
 #include "base/clock.h"
-#include "command/command.h"
-#include "picture/image.h"
-#include "picture/map.h"
-#include "opencl/backend.h"
 #include "base/output.h"
+#include "base/text.h"
+#include "command/command.h"
 #include "command/progress.h"
-#include "reader/scene_json.h"
 #include "command/scene_override.h"
 #include "command/stats.h"
-#include "base/text.h"
+#include "opencl/backend.h"
+#include "picture/image.h"
+#include "picture/map.h"
+#include "reader/scene_json.h"
 
 #include <stdlib.h>
 #include <string.h>

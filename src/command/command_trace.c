@@ -1,11 +1,11 @@
 /* rectray trace: the walkthrough of one pixel, step by step, in one of several formats. */
+#include "base/output.h"
 #include "command/command.h"
+#include "command/scene_override.h"
+#include "reader/scene_json.h"
 #include "trace/accel.h"
 #include "trace/adaptive.h"
 #include "walkthrough/ink.h"
-#include "base/output.h"
-#include "reader/scene_json.h"
-#include "command/scene_override.h"
 #include "walkthrough/walkthrough_formats.h"
 
 #include <string.h>

@@ -18,8 +18,8 @@ typedef enum SamplingChoice { SAMPLING_OF_SCENE, SAMPLING_UNIFORM, SAMPLING_ADAP
 typedef struct Options {
     const char *operands[MAX_OPERANDS]; /* scenes, the pictures to compare, a kind of scene */
     int operand_count;
-    const char *output; /* NULL: not given; "-": stdout */
-    const char *rays;   /* NULL or "-": stdin */
+    const char *output;  /* NULL: not given; "-": stdout */
+    const char *rays;    /* NULL or "-": stdin */
     const char *folder;  /* for the files of a measurement; NULL: not given */
     const char *heatmap; /* NULL: not given; "-": stdout */
     Backend backend;
@@ -30,10 +30,10 @@ typedef struct Options {
     const char *second_value; /* of an option that takes two, while it is read */
     const char *map_file;     /* NULL: no map */
     MapKind map;
-    int bounces;          /* -1: as the scene says */
-    int tolerance;        /* of 255 */
-    int repeats;          /* of a measurement; 0: not given */
-    int scene_size, seed; /* of a generated scene; size 0: not given */
+    int bounces;                                     /* -1: as the scene says */
+    int tolerance;                                   /* of 255 */
+    int repeats;                                     /* of a measurement; 0: not given */
+    int scene_size, seed;                            /* of a generated scene; size 0: not given */
     int pixel_column, pixel_row, sample_i, sample_j; /* of the walkthrough */
     WalkthroughFormat format;
     StatsFormat stats;
@@ -60,7 +60,7 @@ typedef struct Option {
     OptionKind kind;
     size_t field; /* its place in Options, of all kinds but the last */
     int low, high;
-    const char *const *words;                          /* ends in a NULL */
+    const char *const *words;                         /* ends in a NULL */
     bool (*set)(Options *options, const char *value); /* false: not a proper value; NULL: none was given */
     const char *expects; /* completes "expected ..." in the message about a wrong value; NULL: the kind says it */
 } Option;
@@ -68,8 +68,8 @@ typedef struct Option {
 /* Whether the command takes the option. */
 bool option_belongs(const Option *option, const char *command);
 
-/* Reads the value, which is NULL where none was given. After false, which says that it is not a proper one, the field may hold
- * anything. */
+/* Reads the value, which is NULL where none was given. After false, which says that it is not a proper one, the field
+ * may hold anything. */
 bool option_set(const Option *option, Options *options, const char *value);
 
 /* A piece of text, passed by value. */
@@ -80,8 +80,8 @@ typedef struct OptionText {
 /* What the option expects: "a whole number from 1 to 16", "text or json". */
 OptionText option_expects(const Option *option);
 
-/* Reads a whole number in [low, high] that ends at the character `end`: digits, nothing before or after. Returns where it ended,
- * or NULL. */
+/* Reads a whole number in [low, high] that ends at the character `end`: digits, nothing before or after. Returns where
+ * it ended, or NULL. */
 const char *option_read_int(const char *text, int low, int high, char end, int *value);
 
 /* The place of a word in a list that ends in NULL; -1 where it is not there. */

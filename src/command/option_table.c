@@ -1,5 +1,5 @@
-/* Every option of every command. To add one: its field in Options (option.h), and a line in the table with the commands that
- * take it and the way its value is read. */
+/* Every option of every command. To add one: its field in Options (option.h), and a line in the table with the commands
+ * that take it and the way its value is read. */
 #include "command/option_table.h"
 
 #include "scene/scene.h"
@@ -12,9 +12,8 @@
 static const char *const progress_modes[] = {
     [PROGRESS_AUTO] = "auto", [PROGRESS_ALWAYS] = "always", [PROGRESS_NEVER] = "never", NULL};
 
-static const char *const map_kinds[] = {
-    [MAP_RAYS] = "rays",     [MAP_TIME] = "time", [MAP_DEPTH] = "depth",
-    [MAP_NORMAL] = "normal", [MAP_FACE] = "face", NULL};
+static const char *const map_kinds[] = {[MAP_RAYS] = "rays",     [MAP_TIME] = "time", [MAP_DEPTH] = "depth",
+                                        [MAP_NORMAL] = "normal", [MAP_FACE] = "face", NULL};
 
 static const char *const stats_formats[] = {"text", "json", NULL}; /* of STATS_TEXT and what comes after it */
 static const char *const lane_words[] = {"1", "4", "8", "16", NULL};
@@ -33,7 +32,8 @@ static bool set_precision(Options *o, const char *value)
 static int skip_number(const char *name, size_t length)
 {
     int skip = 0;
-    while (skip < SKIP_KINDS && (strncmp(skip_texts[skip].name, name, length) != 0 || skip_texts[skip].name[length] != '\0'))
+    while (skip < SKIP_KINDS &&
+           (strncmp(skip_texts[skip].name, name, length) != 0 || skip_texts[skip].name[length] != '\0'))
         skip++;
     return skip;
 }
@@ -131,7 +131,8 @@ static bool set_lanes(Options *o, const char *value)
 
 #define FLAG(name) .kind = OPTION_FLAG, .field = offsetof(Options, name)
 #define TEXT(name) .kind = OPTION_TEXT, .field = offsetof(Options, name)
-#define NUMBER(name, least, most) .kind = OPTION_NUMBER, .field = offsetof(Options, name), .low = (least), .high = (most)
+#define NUMBER(name, least, most) \
+    .kind = OPTION_NUMBER, .field = offsetof(Options, name), .low = (least), .high = (most)
 #define WORD(name, list) .kind = OPTION_WORD, .field = offsetof(Options, name), .words = (list)
 #define OWN(function) .kind = OPTION_OWN, .set = (function)
 
@@ -183,7 +184,8 @@ const Option option_table[] = {
     {"lanes", 0, "N", "render cast bench", "rays that an OpenCL work-item traces: 1, 4, 8 or 16",
      OWN(set_lanes), .words = lane_words},
     {"no-skip", 0, "NAMES", "render", "do work that the scene needs not: all, or names such as tree,mirrors",
-     OWN(set_no_skip), .expects = "all, or names of \"skipped\" in --stats=json with commas between them, such as tree,mirrors"},
+     OWN(set_no_skip),
+     .expects = "all, or names of \"skipped\" in --stats=json with commas between them, such as tree,mirrors"},
     {"threads", 't', "N", "render bench", "processors to use (default: all)", NUMBER(settings.threads, 1, 256)},
     {"stats", 0, "[=FORMAT]", "render cast", "tell what was done and how long it took: text or json",
      OWN(set_stats), .words = stats_formats},

@@ -13,8 +13,8 @@ typedef struct Command {
     bool (*run)(const Options *options, Error *error);
 } Command;
 
-/* The command of that name in a table that ends in a NULL name; NULL, with an ERROR_USAGE that suggests the nearest one,
- * where there is none. */
+/* The command of that name in a table that ends in a NULL name; NULL, with an ERROR_USAGE that suggests the nearest
+ * one, where there is none. */
 const Command *options_find_command(const Command *commands, const char *name, Error *error);
 
 /* Reads argv[1], argv[2], ... (argv[0] is the command's name). Every error is an ERROR_USAGE that names the option, its

@@ -8,7 +8,7 @@
 typedef enum ProgressMode { PROGRESS_AUTO, PROGRESS_ALWAYS, PROGRESS_NEVER } ProgressMode;
 
 typedef struct Progress {
-    bool shown; /* whether to show anything at all */
+    bool shown;     /* whether to show anything at all */
     double next_ms; /* not before, so that the line can be read and costs nothing */
     int width;      /* letters on the line now */
 } Progress;
@@ -16,7 +16,8 @@ typedef struct Progress {
 /* AUTO: on a terminal unless `quiet`, and only when it takes a moment. ALWAYS: from the first step on. */
 Progress progress_start(ProgressMode mode, bool quiet);
 
-/* `done` in 0..1 of the picture, `rays` traced so far in `ms`: what went before, such as compiling, would spoil the rate. */
+/* `done` in 0..1 of the picture, `rays` traced so far in `ms`:
+ * what went before, such as compiling, would spoil the rate. */
 void progress_step(Progress *progress, double done, uint64_t rays, double ms);
 
 /* Shows a few words instead, such as what is being prepared. */

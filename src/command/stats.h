@@ -3,8 +3,8 @@
 #define RECTRAY_STATS_H
 
 #include "base/error.h"
-#include "trace/render.h"
 #include "scene/scene.h"
+#include "trace/render.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* JSON with places: loading, and errors that point into the text. */
 #include "json/json.h"
 
-#include "json/json_scan.h"
 #include "base/text.h"
+#include "json/json_scan.h"
 
 #include <stdarg.h>
 #include <stdlib.h>

@@ -19,8 +19,9 @@ typedef struct Json {
     Error *error; /* borrowed; where json_fail writes */
 } Json;
 
-/* Reads and parses a file. Errors (ERROR_INPUT): those of text_read; a syntax error, also a byte order mark, a NUL, bytes
- * that are not UTF-8, a number out of a double's range; a key that stands twice in an object. Frees what it had on failure. */
+/* Reads and parses a file. Errors (ERROR_INPUT): those of text_read; a syntax error,
+ * also a byte order mark, a NUL, bytes that are not UTF-8, a number out of a double's
+ * range; a key that stands twice in an object. Frees what it had on failure. */
 bool json_load(Json *json, const char *path, Error *error);
 
 /* The same for a text in memory, which is copied. `name` stands for the path in messages. */
@@ -28,8 +29,8 @@ bool json_parse(Json *json, const char *name, const char *text, long length, Err
 
 void json_free(Json *json);
 
-/* Fills the error with "NAME:LINE:COLUMN: PATH: reason", then the line and a caret under the place. Line and column count
- * from 1, a column is a character. `item` is a value of the tree. Returns false. */
+/* Fills the error with "NAME:LINE:COLUMN: PATH: reason", then the line and a caret under the place. Line and column
+ * count from 1, a column is a character. `item` is a value of the tree. Returns false. */
 bool json_fail(const Json *json, const cJSON *item, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 3, 4)))

@@ -1,5 +1,5 @@
-/* Filling a JSON object member by member, with numbers that keep all their digits. cJSON itself stops at 15 digits where
- * they are nearly enough; these have 17, so that reading them gives the same doubles. */
+/* Filling a JSON object member by member, with numbers that keep all their digits. cJSON itself stops at 15 digits
+ * where they are nearly enough; these have 17, so that reading them gives the same doubles. */
 #ifndef RECTRAY_JSON_NODE_H
 #define RECTRAY_JSON_NODE_H
 
@@ -18,7 +18,7 @@ JsonNode json_node_new(bool *failed);
 
 /* JSON has no infinity: null. */
 void json_node_number(JsonNode node, const char *name, double x);
-void json_node_vector(JsonNode node, const char *name, Vec3 v); /* [x, y, z] */
+void json_node_vector(JsonNode node, const char *name, Vec3 v);         /* [x, y, z] */
 void json_node_text(JsonNode node, const char *name, const char *text); /* what is not UTF-8 becomes '?' */
 void json_node_bool(JsonNode node, const char *name, bool value);
 

@@ -3,8 +3,8 @@
 #ifndef RECTRAY_JSON_READ_H
 #define RECTRAY_JSON_READ_H
 
-#include "json/json.h"
 #include "base/vec3.h"
+#include "json/json.h"
 
 #include <stdbool.h>
 
@@ -17,8 +17,8 @@ typedef struct JsonMember {
 
 #define JSON_COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* Finds an object's values by its table of `count` keys. Errors: not an object; an unknown key (the nearest known one is
- * named); a required key that is absent; a comment (key "//") that is neither a string nor a list of strings. */
+/* Finds an object's values by its table of `count` keys. Errors: not an object; an unknown key (the nearest known one
+ * is named); a required key that is absent; a comment (key "//") that is neither a string nor a list of strings. */
 bool json_members(const Json *json, const cJSON *object, JsonMember *members, int count);
 
 /* The key "//", in any object. */

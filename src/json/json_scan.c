@@ -55,7 +55,8 @@ static bool fault_expected(Scan *scan, const char *what)
     if (c == 0)
         return fault(scan, scan->at, "a NUL byte; this is not a text file");
     if (c > 0x20 && c != 0x7F && length > 0)
-        return fault(scan, scan->at, "expected %s, not '%.*s'%s", what, length, scan->at, cure_for(scan->start, scan->at));
+        return fault(scan, scan->at, "expected %s, not '%.*s'%s", what, length, scan->at,
+                     cure_for(scan->start, scan->at));
     return fault(scan, scan->at, "expected %s", what);
 }
 
@@ -94,7 +95,8 @@ static bool scan_escape(Scan *scan)
     if (code >= 0xD800 && code <= 0xDBFF) {
         int low = scan->at[0] == '\\' && scan->at[1] == 'u' ? hex4(scan->at + 2) : -1;
         if (low < 0xDC00 || low > 0xDFFF)
-            return fault(scan, start, "half a surrogate pair; write the character itself, or both halves (\\ud83d\\ude00)");
+            return fault(scan, start,
+                         "half a surrogate pair; write the character itself, or both halves (\\ud83d\\ude00)");
         scan->at += 6;
     } else if (code >= 0xDC00 && code <= 0xDFFF)
         return fault(scan, start, "half a surrogate pair; write the character itself, or both halves (\\ud83d\\ude00)");

@@ -7,8 +7,8 @@
 #include "trace/reference_cast.h"
 #include "trace/reference_render.h"
 
-bool backend_render(Backend backend, const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
-                    Error *error)
+bool backend_render(Backend backend, const Scene *scene, const RenderSettings *settings, BandSink sink,
+                    RenderReport *report, Error *error)
 {
     return backend == BACKEND_REFERENCE ? reference_render(scene, settings, sink, report, error)
                                         : opencl_render(scene, settings, sink, report, error);
@@ -26,7 +26,8 @@ bool backend_caster_open(BackendCaster *caster, Backend backend, const Scene *sc
     return built;
 }
 
-bool backend_cast(const BackendCaster *caster, const double *rays, long count, CastHit *hits, RenderReport *report, Error *error)
+bool backend_cast(const BackendCaster *caster, const double *rays, long count, CastHit *hits, RenderReport *report,
+                  Error *error)
 {
     if (caster->backend != BACKEND_REFERENCE)
         return opencl_cast(caster->scene, caster->settings, rays, count, hits, report, error);
@@ -34,4 +35,7 @@ bool backend_cast(const BackendCaster *caster, const double *rays, long count, C
     return true;
 }
 
-void backend_caster_close(BackendCaster *caster) { accel_free(&caster->accel); }
+void backend_caster_close(BackendCaster *caster)
+{
+    accel_free(&caster->accel);
+}

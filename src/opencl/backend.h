@@ -7,8 +7,8 @@
 #include "trace/render.h"
 
 /* Renders the scene; opencl.h and reference_render.h say what may fail. */
-bool backend_render(Backend backend, const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
-                    Error *error);
+bool backend_render(Backend backend, const Scene *scene, const RenderSettings *settings, BandSink sink,
+                    RenderReport *report, Error *error);
 
 /* A scene at which rays are cast, batch after batch. */
 typedef struct BackendCaster {
@@ -18,14 +18,15 @@ typedef struct BackendCaster {
     Accel accel; /* the reference's; the device keeps its own */
 } BackendCaster;
 
-/* The scene and the settings must outlive the caster. The time that its tree takes goes to the report. Close it also after a
- * failure. */
+/* The scene and the settings must outlive the caster. The time that its tree takes goes to the report. Close it also
+ * after a failure. */
 bool backend_caster_open(BackendCaster *caster, Backend backend, const Scene *scene, const RenderSettings *settings,
                          RenderReport *report, Error *error);
 
-/* Intersects `count` rays, six doubles each (origin, direction) in scene coordinates, with the scene's faces. The report, zeroed
- * by the caller, is the batch's own. */
-bool backend_cast(const BackendCaster *caster, const double *rays, long count, CastHit *hits, RenderReport *report, Error *error);
+/* Intersects `count` rays, six doubles each (origin, direction) in scene coordinates, with the scene's faces. The
+ * report, zeroed by the caller, is the batch's own. */
+bool backend_cast(const BackendCaster *caster, const double *rays, long count, CastHit *hits, RenderReport *report,
+                  Error *error);
 
 void backend_caster_close(BackendCaster *caster);
 

@@ -1,9 +1,9 @@
 /* A scene as the kernels want it. Every value is computed in double and rounded once. */
 #include "opencl/device_scene.h"
 
-#include "trace/adaptive.h"
-#include "scene/geometry.h"
 #include "base/parallel.h"
+#include "scene/geometry.h"
+#include "trace/adaptive.h"
 
 #include <float.h>
 #include <stdint.h>
@@ -73,7 +73,9 @@ static uint32_t face_bits(const Face *face, const Plane *plane, bool closed)
     }
     uint32_t even_warp = (bound_bits(warp) + 1) & ~FACE_BACK_INSIDE;
     return bound_bits(longest) << 16 | even_warp | (face->vertex_count == 3 ? FACE_TRIANGLE : 0) |
-           (face->front_only ? FACE_BACK_OPEN : closed ? FACE_BACK_INSIDE : 0);
+           (face->front_only ? FACE_BACK_OPEN
+            : closed         ? FACE_BACK_INSIDE
+                             : 0);
 }
 
 static void put_face(DeviceReals *rows, size_t row, const Face *face, const Plane *plane, bool closed)

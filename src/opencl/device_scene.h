@@ -2,8 +2,8 @@
 #ifndef RECTRAY_DEVICE_SCENE_H
 #define RECTRAY_DEVICE_SCENE_H
 
-#include "trace/render.h"
 #include "scene/scene.h"
+#include "trace/render.h"
 
 #include "kernels/shared/layout.h"
 

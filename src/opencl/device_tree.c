@@ -9,20 +9,21 @@
 
 enum { MAX_WIDTH = 16, SMALLEST_STACK = 64 };
 
-/* Which nodes of the binary tree a wide node takes in, so that a random line meets the fewest wide nodes: the sum of their
- * areas is the least there is (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", 2017,
- * section 3.1; all leaves are met as often whatever the cut).
- * A subtree gets some of the `width` places of the wide node above it. Into one place goes its root, as a leaf or a wide node of
- * its own; more are shared between the root's two children. shares: 4 bits for each number of places, from 1 on, how
- * many of them the first child gets, or 0: the root takes one. At `width` places they are the root's own, as a wide node. */
+/* Which nodes of the binary tree a wide node takes in, so that a random line meets the fewest wide nodes: the sum of
+ * their areas is the least there is (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through
+ * Compressed Wide BVHs", 2017, section 3.1; all leaves are met as often whatever the cut).
+ * A subtree gets some of the `width` places of the wide node above it. Into one place goes its
+ * root, as a leaf or a wide node of its own; more are shared between the root's two children.
+ * shares: 4 bits for each number of places, from 1 on, how many of them the first child gets,
+ * or 0: the root takes one. At `width` places they are the root's own, as a wide node. */
 typedef struct Cut {
     const Bvh *bvh;
     uint64_t *shares; /* one per node of the binary tree, set for the inner ones */
     int width;
 } Cut;
 
-/* The least areas of the wide nodes in a subtree, by the places that it gets: fewer than the width. From as many as it has leaves
- * on there are none. */
+/* The least areas of the wide nodes in a subtree, by the places that it gets: fewer than the width. From as many as it
+ * has leaves on there are none. */
 typedef struct CutCosts {
     double area[MAX_WIDTH];
     int leaves; /* up to the width */
@@ -69,7 +70,8 @@ static void cut_subtree(Cut *cut, int node, CutCosts *costs)
     cut->shares[node] = shares;
 }
 
-/* Adds to the list the nodes of the binary tree that fill so many places for the subtree; returns how many are in it. */
+/* Adds to the list the nodes of the binary tree that fill so
+ * many places for the subtree; returns how many are in it. */
 static int gather(const Cut *cut, int node, int places, int *list, int count)
 {
     const BvhNode *root = &cut->bvh->nodes[node];

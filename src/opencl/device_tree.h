@@ -1,5 +1,5 @@
-/* A tree as the kernels walk it: two arrays. A node of the bounding volume hierarchy has as many children as the lanes test
- * at once, their boxes side by side (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008, section 3). */
+/* A tree as the kernels walk it: two arrays. A node of the bounding volume hierarchy has as many children as the lanes
+ * test at once, their boxes side by side (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008, section 3). */
 #ifndef RECTRAY_DEVICE_TREE_H
 #define RECTRAY_DEVICE_TREE_H
 
@@ -15,8 +15,8 @@ typedef struct DeviceTree {
     int stack_size; /* nodes that a walk may have to remember */
 } DeviceTree;
 
-/* Packs the tree that was built; where there is none, the arrays are empty. closed: of skip_closed_boxes, or NULL. `width`: 4 to
- * 16. */
+/* Packs the tree that was built; where there is none, the arrays are empty. closed: of skip_closed_boxes, or NULL.
+ * `width`: 4 to 16. */
 bool device_tree_pack(DeviceTree *tree, const Accel *accel, const unsigned char *closed, int width, Error *error);
 void device_tree_free(DeviceTree *tree);
 

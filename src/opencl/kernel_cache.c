@@ -96,7 +96,8 @@ void kernel_cache_store(KernelCacheKey key, const unsigned char *binary, size_t 
     FILE *file = fopen(temporary, "wb");
     if (!file)
         return;
-    Header header = {.sources = key.sources, .size = size, .checksum = hash_bytes(KERNEL_CACHE_HASH_START, binary, size)};
+    Header header = {
+        .sources = key.sources, .size = size, .checksum = hash_bytes(KERNEL_CACHE_HASH_START, binary, size)};
     memcpy(header.magic, magic, sizeof magic);
     bool ok = fwrite(&header, sizeof header, 1, file) == 1 && fwrite(binary, size, 1, file) == 1;
     ok = fclose(file) == 0 && ok;

@@ -23,8 +23,8 @@ uint64_t kernel_cache_hash(uint64_t hash, const char *text);
 /* The kept binary, *size bytes that the caller frees; NULL if there is none to be trusted. */
 unsigned char *kernel_cache_load(KernelCacheKey key, size_t *size);
 
-/* Keeps a binary in the folder that RECTRAY_CACHE_DIR names (empty: nowhere), else in rectray/ of XDG_CACHE_HOME, else in
- * .cache/rectray/ of HOME. The file appears whole or not at all. */
+/* Keeps a binary in the folder that RECTRAY_CACHE_DIR names (empty: nowhere), else in rectray/ of XDG_CACHE_HOME, else
+ * in .cache/rectray/ of HOME. The file appears whole or not at all. */
 void kernel_cache_store(KernelCacheKey key, const unsigned char *binary, size_t size);
 
 #endif

@@ -1,4 +1,5 @@
-/* The OpenCL kernels inside the program, so that it runs from any directory. kernels/embed.sh writes the definitions. */
+/* The OpenCL kernels inside the program, so that it runs from
+ * any directory. kernels/embed.sh writes the definitions. */
 #ifndef RECTRAY_KERNEL_SOURCES_H
 #define RECTRAY_KERNEL_SOURCES_H
 

@@ -1,9 +1,9 @@
 /* The OpenCL backend: renders a scene band by band, the height of a band by the time that the last one took. */
 #include "opencl/opencl.h"
 
-#include "trace/adaptive.h"
-#include "scene/light.h"
 #include "opencl/opencl_refine.h"
+#include "scene/light.h"
+#include "trace/adaptive.h"
 #include "trace/pruned_scene.h"
 
 #include <stdlib.h>
@@ -24,7 +24,8 @@ static int next_band(int rows, int least, int most, double ms)
     return rows < most ? rows : most;
 }
 
-/* A band on its way: what the device wrote, the bytes that the sink gets, and the linear colours where they are wanted. */
+/* A band on its way: what the device wrote, the bytes that the
+ * sink gets, and the linear colours where they are wanted. */
 typedef struct Pixels {
     cl_mem device;
     void *read;         /* bytes, or reals of the session's precision */
@@ -139,7 +140,8 @@ static bool make_pixels(OpenclScene *held, double *linear, Error *error)
     Pixels *pixels = &held->pixels;
     pixels->linear = linear;
     pixels->most_rows = band_limit(session, &held->pruned.scene);
-    size_t values = (size_t)pixels->most_rows * (size_t)held->pruned.scene.screen.columns * 3, bytes = values * value_bytes(session);
+    size_t values = (size_t)pixels->most_rows * (size_t)held->pruned.scene.screen.columns * 3,
+           bytes = values * value_bytes(session);
     pixels->device = opencl_buffer(session, CL_MEM_READ_WRITE, bytes, NULL, error);
     if (!pixels->device)
         return false;

@@ -2,18 +2,19 @@
 #ifndef RECTRAY_OPENCL_H
 #define RECTRAY_OPENCL_H
 
-#include "trace/render.h"
 #include "scene/scene.h"
+#include "trace/render.h"
 
 /* A scene on the device that the settings name, with its tree and its kernel, for one picture after another. */
 typedef struct OpenclScene OpenclScene;
 
-/* Puts it there; the scene, and what settings->linear points to, must outlive it. NULL, with the error filled: no such device,
- * no double on it, a kernel that does not compile (with the compiler's log), memory, any failing call by name. */
+/* Puts it there; the scene, and what settings->linear points to, must outlive it.
+ * NULL, with the error filled: no such device, no double on it, a kernel that does
+ * not compile (with the compiler's log), memory, any failing call by name. */
 OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Error *error);
 
-/* Renders it. The report tells, besides this picture, what was done once for all. Errors: memory, any failing call by name,
- * those of the sink. */
+/* Renders it. The report tells, besides this picture, what was done once for all. Errors: memory, any failing call by
+ * name, those of the sink. */
 bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Error *error);
 
 /* What was done once for all. */
@@ -23,6 +24,7 @@ const RenderReport *opencl_held_report(const OpenclScene *held);
 void opencl_release(OpenclScene *held);
 
 /* All three for a single picture. */
-bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error);
+bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
+                   Error *error);
 
 #endif

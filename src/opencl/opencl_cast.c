@@ -31,8 +31,8 @@ static bool cast_arrays(CastArrays *arrays, const OpenclSession *session, const 
     return true;
 }
 
-static bool cast_session(OpenclSession *session, const Scene *scene, const SceneOnDevice *on_device, CastArrays *arrays, long count,
-                         RenderReport *report, Error *error)
+static bool cast_session(OpenclSession *session, const Scene *scene, const SceneOnDevice *on_device, CastArrays *arrays,
+                         long count, RenderReport *report, Error *error)
 {
     size_t rays = (size_t)count;
     cl_mem ray_buffer, face_buffer, t_buffer;
@@ -40,8 +40,9 @@ static bool cast_session(OpenclSession *session, const Scene *scene, const Scene
         !(face_buffer = opencl_buffer(session, CL_MEM_WRITE_ONLY, rays * sizeof(cl_int), NULL, error)) ||
         !(t_buffer = opencl_buffer(session, CL_MEM_WRITE_ONLY, rays * arrays->t_bytes, NULL, error)))
         return false;
-    cl_mem arguments[] = {on_device->parameters, on_device->faces, on_device->edges,    on_device->planes, ray_buffer,
-                          face_buffer,           t_buffer,         on_device->counters, on_device->tree_floats,  on_device->tree_ints};
+    cl_mem arguments[] = {
+        on_device->parameters, on_device->faces, on_device->edges,    on_device->planes,      ray_buffer,
+        face_buffer,           t_buffer,         on_device->counters, on_device->tree_floats, on_device->tree_ints};
     cl_kernel kernel = opencl_kernel(session, "cast", arguments, sizeof arguments / sizeof arguments[0], error);
     if (!kernel)
         return false;

@@ -144,16 +144,17 @@ static int default_device(const DeviceList *list)
     return 0;
 }
 
-/* PoCL's threads, one for each processor, are to stay on theirs: left alone, two of them share one for milliseconds, which is as long as a
- * picture takes. Not where the process may not have all processors, or is to use some only: PoCL would take the first ones. */
+/* PoCL's threads, one for each processor, are to stay on theirs: left alone, two of them share one for milliseconds,
+ * which is as long as a picture takes. Not where the process may not have all processors, or is to use some only: PoCL
+ * would take the first ones. */
 static void keep_threads_in_place(int threads)
 {
     if (parallel_may_use_all() && (threads == 0 || threads == parallel_threads(0)))
         setenv("POCL_AFFINITY", "1", 0);
 }
 
-/* PoCL compiles a kernel for launches of any size when it is to be kept, and before that for the size of the first launch. Here
- * groups are single work-items, for which the two are as fast. */
+/* PoCL compiles a kernel for launches of any size when it is to be kept, and before that for the size of the first
+ * launch. Here groups are single work-items, for which the two are as fast. */
 static void compile_once(void)
 {
     setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
@@ -172,8 +173,9 @@ bool opencl_find_device(int number, int threads, cl_device_id *device, DeviceInf
     DeviceList list = {0};
     bool ok = list_devices(&list, error);
     if (ok && number >= list.count)
-        ok = error_set(error, ERROR_USAGE, "--device %d: there is no such device; the devices are 0 to %d (see `rectray devices`)",
-                       number, list.count - 1);
+        ok = error_set(error, ERROR_USAGE,
+                       "--device %d: there is no such device; the devices are 0 to %d (see `rectray devices`)", number,
+                       list.count - 1);
     if (ok) {
         int index = number < 0 ? default_device(&list) : number;
         *device = list.ids[index];

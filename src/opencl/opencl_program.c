@@ -1,9 +1,9 @@
 /* A device made ready: context, queue and compiled kernels. Every OpenCL call goes through opencl_ok. */
 #include "opencl/opencl_program.h"
 
-#include "opencl/opencl_status.h"
 #include "base/clock.h"
 #include "opencl/opencl_sources.h"
+#include "opencl/opencl_status.h"
 
 #include "kernels/shared/layout.h"
 
@@ -15,7 +15,8 @@ static bool choose_lanes(OpenclSession *session, const RenderSettings *settings,
 {
     bool is_double = settings->precision == PRECISION_DOUBLE;
     if (is_double && !session->info.has_double)
-        return error_set(error, ERROR_SYSTEM, "the device %s has no double precision; use --precision float", session->info.name);
+        return error_set(error, ERROR_SYSTEM, "the device %s has no double precision; use --precision float",
+                         session->info.name);
     session->precision = settings->precision;
     session->wide_is_double = session->info.has_double;
     session->lanes = is_double ? session->info.lanes_double : session->info.lanes_float;
@@ -54,8 +55,7 @@ static void write_options(const OpenclSession *session, Variant variant, RenderR
              session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double,
              session->packets_across * session->packets_across, session->packets_across, session->packet_columns,
              session->lanes / session->packet_columns, accel, variant.node_width, session->block_across,
-             variant.stack_size, (int)sizeof(FaceRecord),
-             (int)sizeof(Parameters));
+             variant.stack_size, (int)sizeof(FaceRecord), (int)sizeof(Parameters));
     char *options = report->build_options;
     size_t room = sizeof report->build_options, used = strlen(options);
     snprintf(options + used, room - used, "%s", session->linear ? " -DLINEAR=1" : "");
@@ -127,7 +127,8 @@ void opencl_keep(OpenclSession *session)
 {
     size_t size = 0;
     if (!session->from_source ||
-        clGetProgramInfo(session->program, CL_PROGRAM_BINARY_SIZES, sizeof size, &size, NULL) != CL_SUCCESS || size == 0)
+        clGetProgramInfo(session->program, CL_PROGRAM_BINARY_SIZES, sizeof size, &size, NULL) != CL_SUCCESS ||
+        size == 0)
         return;
     unsigned char *binary = malloc(size);
     if (binary && clGetProgramInfo(session->program, CL_PROGRAM_BINARIES, sizeof binary, &binary, NULL) == CL_SUCCESS)

@@ -17,18 +17,18 @@ typedef struct OpenclSession {
     int packet_columns, packets_across; /* a packet of lanes is so wide; a tile has so many packets across and down */
     int block_across;                   /* so many tiles side by side, and below one another, are a work-item's */
     int block_columns, block_rows;      /* their pixels */
-    bool wide_is_double; /* t comes back as double */
-    bool adaptive;       /* the kernel is `render_adaptive` */
-    bool casts;          /* it is `cast`; else it is `render`. One is built: a compiler takes seconds for each */
-    bool linear;         /* pixels come back as three reals, not clamped, instead of three bytes */
+    bool wide_is_double;                /* t comes back as double */
+    bool adaptive;                      /* the kernel is `render_adaptive` */
+    bool casts;  /* it is `cast`; else it is `render`. One is built: a compiler takes seconds for each */
+    bool linear; /* pixels come back as three reals, not clamped, instead of three bytes */
     cl_device_id device;
     cl_context context;
     cl_command_queue queue;
     cl_program program;
     unsigned no_skip; /* as in RenderSettings */
     Notice notice;
-    KernelCacheKey key;     /* of the program */
-    bool from_source; /* it was compiled in this run, not kept from an earlier one */
+    KernelCacheKey key; /* of the program */
+    bool from_source;   /* it was compiled in this run, not kept from an earlier one */
     cl_mem buffers[OPENCL_MAX_BUFFERS];
     int buffer_count;
 } OpenclSession;
@@ -38,14 +38,15 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
 
 /* What the kernels are built for: a build option each. */
 typedef struct Variant {
-    AccelKind accel;  /* not ACCEL_AUTO */
+    AccelKind accel; /* not ACCEL_AUTO */
     int node_width;
-    int stack_size;   /* nodes that a walk may have to remember */
+    int stack_size; /* nodes that a walk may have to remember */
 } Variant;
 
 /* Builds the session's kernel: from the sources embedded in rectray, or from the files of the folder that
- * the environment variable RECTRAY_KERNELS names (unless it is empty), or from what an earlier run has kept of the same
- * sources. Time and build options go to the report. A kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
+ * the environment variable RECTRAY_KERNELS names (unless it is empty), or from what an
+ * earlier run has kept of the same sources. Time and build options go to the report. A
+ * kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
 bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error);
 
 /* Keeps the program for later runs if it was compiled in this one; to be called when the kernel has run once. */

@@ -1,8 +1,9 @@
-/* Adaptive sampling on a device. The list of pixels is made here, in a fixed order, so that a picture is the same each time. */
+/* Adaptive sampling on a device. The list of pixels is made here,
+ * in a fixed order, so that a picture is the same each time. */
 #include "opencl/opencl_refine.h"
 
-#include "opencl/opencl_status.h"
 #include "base/clock.h"
+#include "opencl/opencl_status.h"
 
 #include <stdlib.h>
 
@@ -22,7 +23,8 @@ void opencl_refinement_free(Refinement *refinement)
     *refinement = (Refinement){0};
 }
 
-/* Lists the flagged pixels square by square, so that a work-item's lie near each other and their rays meet the same faces. */
+/* Lists the flagged pixels square by square, so that a work-item's
+ * lie near each other and their rays meet the same faces. */
 static long list_pixels(const Refinement *refinement, const Parameters *band)
 {
     enum { SQUARE = 8 };
@@ -59,12 +61,14 @@ bool opencl_refine(OpenclSession *session, const SceneOnDevice *on_device, cl_ke
                    const Refinement *refinement, Parameters band, RenderReport *report, Error *error)
 {
     long count = write_list(session, refinement, band, report, error);
-    const int each = session->packets_across * session->packets_across; /* a work-item refines a pixel with each of its packets */
+    /* A work-item refines a pixel with each of its packets. */
+    const int each = session->packets_across * session->packets_across;
     const long most = (long)OPENCL_MAX_ITEMS * each;
     for (long first = 0; first < count; first += most) {
         band.refine_first = (int)first;
         band.refine_count = (int)(count - first < most ? count - first : most);
-        if (!opencl_launch(session, on_device, kernel, &band, (size_t)((band.refine_count + each - 1) / each), report, error))
+        if (!opencl_launch(session, on_device, kernel, &band, (size_t)((band.refine_count + each - 1) / each), report,
+                           error))
             return false;
     }
     report->refined_pixels += count > 0 ? (uint64_t)count : 0;

@@ -1,11 +1,11 @@
 /* A scene on a device, ready to be traced. */
 #include "opencl/opencl_upload.h"
 
-#include "opencl/opencl_status.h"
-#include "trace/accel.h"
 #include "base/clock.h"
 #include "opencl/device_scene.h"
 #include "opencl/device_tree.h"
+#include "opencl/opencl_status.h"
+#include "trace/accel.h"
 #include "trace/skip.h"
 
 #include <stdlib.h>
@@ -26,7 +26,8 @@ Parameters opencl_parameters(const Scene *scene)
     };
 }
 
-/* A buffer for reading with `count` items; OpenCL has none of zero bytes, so that nothing gets one item, of any value. */
+/* A buffer for reading with `count` items; OpenCL has none of
+ * zero bytes, so that nothing gets one item, of any value. */
 static cl_mem buffer_of(OpenclSession *session, const void *data, size_t count, size_t item, Error *error)
 {
     return opencl_buffer(session, CL_MEM_READ_ONLY, (count > 0 ? count : 1) * item, count > 0 ? data : NULL, error);
@@ -74,8 +75,8 @@ static uint64_t device_bytes(const Scene *scene, const DeviceScene *packed, cons
 {
     return (uint64_t)scene->face_count * sizeof(FaceRecord) + device_reals_bytes(&packed->edges) +
            device_reals_bytes(&packed->planes) + device_reals_bytes(&packed->materials) +
-           device_reals_bytes(&packed->lights) + device_reals_bytes(&packed->view) +
-           tree->float_count * sizeof(float) + tree->int_count * sizeof(int);
+           device_reals_bytes(&packed->lights) + device_reals_bytes(&packed->view) + tree->float_count * sizeof(float) +
+           tree->int_count * sizeof(int);
 }
 
 static bool upload(OpenclSession *session, const Preparation *made, SceneOnDevice *on_device, RenderReport *report,
@@ -90,18 +91,18 @@ static bool upload(OpenclSession *session, const Preparation *made, SceneOnDevic
                          .precision = session->precision,
                          .wide = session->wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT,
                          .threads = made->settings->threads};
-    bool ok = device_scene_pack(&packed, made->scene, &how, error) &&
-              (on_device->parameters = buffer_of(session, NULL, 0, sizeof(Parameters), error)) &&
-              (on_device->faces = buffer_of(session, packed.faces, faces, sizeof(FaceRecord), error)) &&
-              (on_device->edges = buffer_of_reals(session, &packed.edges, error)) &&
-              (on_device->planes = buffer_of_reals(session, &packed.planes, error)) &&
-              (on_device->materials = buffer_of_reals(session, &packed.materials, error)) &&
-              (on_device->lights = buffer_of_reals(session, &packed.lights, error)) &&
-              (on_device->view = buffer_of_reals(session, &packed.view, error)) &&
-              (on_device->counters =
-                   opencl_buffer(session, CL_MEM_READ_WRITE, COUNTERS * sizeof(cl_uint), NULL, error)) &&
-              (on_device->tree_floats = buffer_of(session, tree->floats, tree->float_count, sizeof(float), error)) &&
-              (on_device->tree_ints = buffer_of(session, tree->ints, tree->int_count, sizeof(int), error));
+    bool ok =
+        device_scene_pack(&packed, made->scene, &how, error) &&
+        (on_device->parameters = buffer_of(session, NULL, 0, sizeof(Parameters), error)) &&
+        (on_device->faces = buffer_of(session, packed.faces, faces, sizeof(FaceRecord), error)) &&
+        (on_device->edges = buffer_of_reals(session, &packed.edges, error)) &&
+        (on_device->planes = buffer_of_reals(session, &packed.planes, error)) &&
+        (on_device->materials = buffer_of_reals(session, &packed.materials, error)) &&
+        (on_device->lights = buffer_of_reals(session, &packed.lights, error)) &&
+        (on_device->view = buffer_of_reals(session, &packed.view, error)) &&
+        (on_device->counters = opencl_buffer(session, CL_MEM_READ_WRITE, COUNTERS * sizeof(cl_uint), NULL, error)) &&
+        (on_device->tree_floats = buffer_of(session, tree->floats, tree->float_count, sizeof(float), error)) &&
+        (on_device->tree_ints = buffer_of(session, tree->ints, tree->int_count, sizeof(int), error));
     report->device_bytes = device_bytes(made->scene, &packed, tree);
     device_scene_free(&packed);
     report->upload_ms += clock_ms() - start;
@@ -112,26 +113,28 @@ bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSett
                     SceneOnDevice *on_device, RenderReport *report, Error *error)
 {
     Preparation made = {.scene = scene, .settings = settings, .accel = {.kind = ACCEL_NONE}};
-    bool ok = find_closed_boxes(&made, error) && opencl_open(session, settings, report, error) &&
-              build_tree(session, &made, report, error) &&
-              opencl_build(session, (Variant){made.accel.kind, made.tree.node_width, made.tree.stack_size}, report,
-                           error) &&
-              upload(session, &made, on_device, report, error);
+    bool ok =
+        find_closed_boxes(&made, error) && opencl_open(session, settings, report, error) &&
+        build_tree(session, &made, report, error) &&
+        opencl_build(session, (Variant){made.accel.kind, made.tree.node_width, made.tree.stack_size}, report, error) &&
+        upload(session, &made, on_device, report, error);
     accel_free(&made.accel);
     device_tree_free(&made.tree);
     free(made.closed);
     return ok;
 }
 
-static bool write_launch(OpenclSession *session, const SceneOnDevice *on_device, const Parameters *parameters, Error *error)
+static bool write_launch(OpenclSession *session, const SceneOnDevice *on_device, const Parameters *parameters,
+                         Error *error)
 {
     static const cl_uint zeros[COUNTERS];
     return opencl_ok(error,
-                     clEnqueueWriteBuffer(session->queue, on_device->parameters, CL_TRUE, 0, sizeof *parameters, parameters,
-                                          0, NULL, NULL),
+                     clEnqueueWriteBuffer(session->queue, on_device->parameters, CL_TRUE, 0, sizeof *parameters,
+                                          parameters, 0, NULL, NULL),
                      "clEnqueueWriteBuffer") &&
            opencl_ok(error,
-                     clEnqueueWriteBuffer(session->queue, on_device->counters, CL_TRUE, 0, sizeof zeros, zeros, 0, NULL, NULL),
+                     clEnqueueWriteBuffer(session->queue, on_device->counters, CL_TRUE, 0, sizeof zeros, zeros, 0, NULL,
+                                          NULL),
                      "clEnqueueWriteBuffer");
 }
 
@@ -162,8 +165,8 @@ static bool add_counters(OpenclSession *session, const SceneOnDevice *on_device,
     return true;
 }
 
-bool opencl_launch(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel, const Parameters *parameters,
-                   size_t items, RenderReport *report, Error *error)
+bool opencl_launch(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel,
+                   const Parameters *parameters, size_t items, RenderReport *report, Error *error)
 {
     if (!write_launch(session, on_device, parameters, error))
         return false;

@@ -19,14 +19,14 @@ bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSett
 /* What the kernels are told of the scene; the caller adds the band or the number of rays. */
 Parameters opencl_parameters(const Scene *scene);
 
-/* A launch without work: some devices compile a kernel when it first runs, and that is no part of tracing. Then the program
- * is kept for later runs. */
+/* A launch without work: some devices compile a kernel when it first runs, and that is no part of tracing. Then the
+ * program is kept for later runs. */
 bool opencl_warm_up(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel, Parameters parameters,
                     RenderReport *report, Error *error);
 
 /* Runs the kernel on at least `items` work-items; adds time and counters to the report. */
-bool opencl_launch(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel, const Parameters *parameters,
-                   size_t items, RenderReport *report, Error *error);
+bool opencl_launch(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel,
+                   const Parameters *parameters, size_t items, RenderReport *report, Error *error);
 
 /* Copies a buffer to the host; adds the time to the report. */
 bool opencl_read(OpenclSession *session, cl_mem buffer, size_t bytes, void *data, RenderReport *report, Error *error);

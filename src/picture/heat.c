@@ -1,5 +1,5 @@
-/* Numbers as colours. On the helix, brightness runs along the grey diagonal of the colour cube while the hue turns about
- * it; red, green and blue weigh in brightness as 0.30, 0.59 and 0.11, and the turn keeps that sum. */
+/* Numbers as colours. On the helix, brightness runs along the grey diagonal of the colour cube while the hue turns
+ * about it; red, green and blue weigh in brightness as 0.30, 0.59 and 0.11, and the turn keeps that sum. */
 #include "picture/heat.h"
 
 #include <math.h>

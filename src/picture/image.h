@@ -1,7 +1,7 @@
-/* Pictures as PNG files, through libpng: written row by row as they are rendered, a quarter of a megabyte being held at a
- * time; read whole for comparing.
- * A picture appears under its name only when it is complete: until then it has a temporary name in the
- * same folder. */
+/* Pictures as PNG files, through libpng: written row by row as they are rendered, a quarter of a megabyte being held at
+ * a time; read whole for comparing.
+ * A picture appears under its name only when it is complete:
+ * until then it has a temporary name in the same folder. */
 #ifndef RECTRAY_IMAGE_H
 #define RECTRAY_IMAGE_H
 

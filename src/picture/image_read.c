@@ -69,7 +69,8 @@ static bool reader_open(Reader *reader)
         return text_fail_errno(reader->path, "cannot be read", reader->error);
     if (png_sig_cmp(signature, 0, sizeof signature) != 0)
         return error_set(reader->error, ERROR_INPUT, "%s: not a PNG picture", reader->path);
-    reader->png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, reader, on_error, on_warning, reader, on_malloc, on_free);
+    reader->png =
+        png_create_read_struct_2(PNG_LIBPNG_VER_STRING, reader, on_error, on_warning, reader, on_malloc, on_free);
     if (reader->png)
         reader->info = png_create_info_struct(reader->png);
     return reader->info ? true : error_memory(reader->error, "the reader of a picture");

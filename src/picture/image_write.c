@@ -1,6 +1,6 @@
 /* Writes PNG files. Rows are gathered and compressed by ISA-L, libpng writes the chunks.
- * libpng reports an error by longjmp; here it never leaves a function of this file, and no variable that is read after the
- * jump is changed after setjmp. */
+ * libpng reports an error by longjmp; here it never leaves a function of this file, and no variable that is read after
+ * the jump is changed after setjmp. */
 #include "picture/image.h"
 
 #include "base/output.h"
@@ -12,12 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Rows are compressed when there are so many bytes of them, or one row if that is longer, and written in chunks of at most
- * so many. Both are fixed: they decide where the compressor begins a block. */
+/* Rows are compressed when there are so many bytes of them, or one row if that is longer, and written in chunks of at
+ * most so many. Both are fixed: they decide where the compressor begins a block. */
 enum { ROWS_BYTES = 256 * 1024, CHUNK_BYTES = 64 * 1024 };
 
-/* Measured on our scenes as unfiltered rows at 1920x1080: level 2 takes as long as level 1 and makes files 1 to 4 % smaller; a
- * larger table gains nothing. docs/performance.md compares it with zlib. */
+/* Measured on our scenes as unfiltered rows at 1920x1080: level 2 takes as long as level 1 and makes files 1 to 4 %
+ * smaller; a larger table gains nothing. docs/performance.md compares it with zlib. */
 enum { LEVEL = 2, LEVEL_BYTES = ISAL_DEF_LVL2_SMALL };
 
 struct ImageWriter {
@@ -177,8 +177,8 @@ bool image_writer_rows(ImageWriter *writer, const unsigned char *rgb, int rows, 
     size_t row = row_bytes(writer);
     assert(rows <= writer->rows_left);
     for (; rows > 0; rows--, rgb += row - 1) {
-        /* Flat faces without texture repeat the same bytes in row after row, which are found unfiltered. Filter Up takes as long
-         * and makes rooms up to 20 % smaller, but large cities 50 % larger. */
+        /* Flat faces without texture repeat the same bytes in row after row, which are found unfiltered. Filter Up
+         * takes as long and makes rooms up to 20 % smaller, but large cities 50 % larger. */
         writer->rows[writer->filled] = PNG_FILTER_VALUE_NONE;
         memcpy(writer->rows + writer->filled + 1, rgb, row - 1);
         writer->filled += row;

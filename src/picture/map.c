@@ -2,8 +2,8 @@
 #include "picture/map.h"
 
 #include "base/clock.h"
-#include "picture/heat.h"
 #include "base/parallel.h"
+#include "picture/heat.h"
 #include "trace/reference.h"
 
 #include <stdlib.h>
@@ -46,8 +46,8 @@ static void put_colour(unsigned char *rgb, Vec3 c)
     rgb[2] = (unsigned char)floor(255 * c.z + 0.5);
 }
 
-/* Colours that differ for neighbouring numbers, none of them dark: three bytes of a multiplicative hash (Knuth 1997, section
- * 6.4). */
+/* Colours that differ for neighbouring numbers, none of them dark:
+ * three bytes of a multiplicative hash (Knuth 1997, section 6.4). */
 static Vec3 colour_of_number(int number)
 {
     uint32_t hash = (uint32_t)number * 2654435769u;
@@ -122,12 +122,14 @@ static MapScale colour_values(Map *map, size_t count)
     return scale;
 }
 
-bool map_draw(Image *image, const Scene *scene, MapKind kind, AccelKind accel_kind, int threads, MapScale *scale, Error *error)
+bool map_draw(Image *image, const Scene *scene, MapKind kind, AccelKind accel_kind, int threads, MapScale *scale,
+              Error *error)
 {
     size_t count = (size_t)scene->screen.columns * (size_t)scene->screen.rows;
     bool colours = kind == MAP_NORMAL || kind == MAP_FACE;
     *image = (Image){scene->screen.columns, scene->screen.rows, calloc(count, 3)};
-    Map map = {.scene = scene, .kind = kind, .rgb = image->rgb, .values = colours ? NULL : calloc(count, sizeof(float))};
+    Map map = {
+        .scene = scene, .kind = kind, .rgb = image->rgb, .values = colours ? NULL : calloc(count, sizeof(float))};
     if (!map.rgb || (!colours && !map.values)) {
         free(map.values);
         return error_memory(error, "the map");

@@ -25,8 +25,8 @@ const GenerateKind *generate_find_kind(const char *name, Error *error);
 /* Writes a scene, size from 1 to max_size. */
 bool generate_scene(const GenerateKind *kind, FILE *out, int size, uint64_t seed, Error *error);
 
-/* The writers. menger: the unit squares of a Menger sponge's surface after `level` steps, 2 20^level + 4 8^level of them.
- * city: `boxes` boxes on a floor box, 6 faces each. grid: a rotated sheet of `side` x `side` quads. */
+/* The writers. menger: the unit squares of a Menger sponge's surface after `level` steps, 2 20^level + 4 8^level of
+ * them. city: `boxes` boxes on a floor box, 6 faces each. grid: a rotated sheet of `side` x `side` quads. */
 bool generate_menger(FILE *out, int level, uint64_t seed, Error *error);
 bool generate_city(FILE *out, int boxes, uint64_t seed, Error *error);
 bool generate_grid(FILE *out, int side, uint64_t seed, Error *error);

@@ -2,8 +2,8 @@
 #include "reader/scene_build.h"
 
 #include "base/array.h"
-#include "scene/geometry.h"
 #include "base/text.h"
+#include "scene/geometry.h"
 
 #include <assert.h>
 #include <limits.h>
@@ -100,7 +100,8 @@ static bool describe(SceneBuild *build, Shape shape, const int *vertices)
     return true;
 }
 
-/* A mirror turns the right-hand rule round: vertices 0 1 2 3 are then stored as 0 3 2 1, and the front stays the front. */
+/* A mirror turns the right-hand rule round: vertices 0 1 2 3
+ * are then stored as 0 3 2 1, and the front stays the front. */
 static bool add_face(SceneBuild *build, const int *points, int count, int material, int place)
 {
     SceneBuildFace *grown =

@@ -1,6 +1,6 @@
 /* Builds a Scene from what the readers find: objects, points and faces in world space, in double.
- * The readers know files and places, the builder knows geometry: it gives a reason, they say where. At the end the scene
- * is moved to its own centre and rounded once to float32. To add a kind of object, write a reader
+ * The readers know files and places, the builder knows geometry: it gives a reason, they say where. At the end the
+ * scene is moved to its own centre and rounded once to float32. To add a kind of object, write a reader
  * that calls scene_build_object, scene_build_point and scene_build_face. */
 #ifndef RECTRAY_SCENE_BUILD_H
 #define RECTRAY_SCENE_BUILD_H
@@ -39,11 +39,11 @@ typedef struct SceneBuild {
     SceneBuildFace *faces;
     int face_count, face_capacity;
     int object_capacity, material_capacity;
-    int next_number;        /* of a face */
+    int next_number;             /* of a face */
     SceneBuildObject object;     /* the one being built */
-    char reason[256];       /* why the last call failed, where the error says nothing */
+    char reason[256];            /* why the last call failed, where the error says nothing */
     const SceneBuildFace *fault; /* the face that scene_build_finish failed at; NULL: the camera, or */
-    int fault_light;        /* this light, -1: none */
+    int fault_light;             /* this light, -1: none */
 } SceneBuild;
 
 /* Functions that can fail return false (or -1) and leave a reason; without memory they fill the error instead. */
@@ -59,11 +59,12 @@ bool scene_build_point(SceneBuild *build, Vec3 point);
 
 int scene_build_point_count(const SceneBuild *build); /* of the object */
 
-/* Adds a face of 3 or 4 of the object's points (all must exist), after checking its shape. material -1: the object's. */
+/* Adds a face of 3 or 4 of the object's points (all must exist),
+ * after checking its shape. material -1: the object's. */
 bool scene_build_face(SceneBuild *build, const int *vertices, int count, int material, int place);
 
-/* Adds the six faces of an axis-parallel box (before the transform) in the order -x, +x, -y, +y, -z, +z, wound outward, also
- * where the transform mirrors. low < high on every axis. */
+/* Adds the six faces of an axis-parallel box (before the transform) in the order -x, +x, -y, +y, -z, +z, wound outward,
+ * also where the transform mirrors. low < high on every axis. */
 bool scene_build_box(SceneBuild *build, Vec3 low, Vec3 high);
 
 /* Moves faces, camera and lights to the scene's centre, rounds the faces and computes their planes. */

@@ -1,6 +1,6 @@
 /* The last step of building a scene: around its own centre, rounded once to float32, with the planes of its faces. */
-#include "scene/geometry.h"
 #include "reader/scene_build.h"
+#include "scene/geometry.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -59,8 +59,8 @@ static bool round_face(SceneBuild *build, const SceneBuildFace *from, Face *face
     return true;
 }
 
-/* The direction from the camera to where it looks must survive the move: far from the centre, a look_at very near to the
- * camera would be rounded to another direction, or onto the camera. */
+/* The direction from the camera to where it looks must survive the move: far from the centre, a look_at very near to
+ * the camera would be rounded to another direction, or onto the camera. */
 static bool move_camera(SceneBuild *build)
 {
     Camera *camera = &build->scene->camera;

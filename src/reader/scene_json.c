@@ -1,8 +1,8 @@
 /* The scene file: camera, screen, lights, materials and rules; the objects are read in scene_objects.c. */
 #include "reader/scene_json.h"
 
-#include "json/json_read.h"
 #include "reader/scene_objects.h"
+#include "json/json_read.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -20,9 +20,12 @@ static bool read_colour(const Json *json, const cJSON *item, Vec3 *colour)
     return !item || json_vec3(json, item, 0, SCENE_MAX_COLOUR, colour);
 }
 
-/* A vector of any length to one whose largest component is about 1, by a power of two: the direction stays exact, and its
- * square neither overflows nor vanishes. Zero stays zero. */
-static Vec3 tamed(Vec3 a) { return vec3_ldexp(a, -vec3_exponent(a)); }
+/* A vector of any length to one whose largest component is about 1, by a power of two: the direction stays exact, and
+ * its square neither overflows nor vanishes. Zero stays zero. */
+static Vec3 tamed(Vec3 a)
+{
+    return vec3_ldexp(a, -vec3_exponent(a));
+}
 
 static bool read_camera(const Json *json, const cJSON *item, Camera *camera)
 {
@@ -42,8 +45,9 @@ static bool read_camera(const Json *json, const cJSON *item, Camera *camera)
     if (vec3_length(camera->up) == 0)
         return json_fail(json, keys[2].item, "\"up\" has no direction: it is zero");
     if (vec3_length(vec3_cross(vec3_unit(view), vec3_unit(camera->up))) < 1e-9)
-        return keys[2].item ? json_fail(json, keys[2].item, "\"up\" is parallel to the view; give another direction")
-                            : json_fail(json, item, "the view is parallel to \"up\", which is [0, 1, 0] unless given; give one");
+        return keys[2].item
+                   ? json_fail(json, keys[2].item, "\"up\" is parallel to the view; give another direction")
+                   : json_fail(json, item, "the view is parallel to \"up\", which is [0, 1, 0] unless given; give one");
     return true;
 }
 
@@ -155,8 +159,9 @@ static bool read_sampling(const Json *json, const cJSON *item, Scene *scene)
         return false;
     const cJSON *grid = keys[0].item, *adaptive = keys[1].item;
     if (grid && adaptive)
-        return json_fail(json, adaptive, "\"grid\" and \"adaptive\" exclude each other: every pixel gets the grid, or only "
-                                         "those that need it");
+        return json_fail(json, adaptive,
+                         "\"grid\" and \"adaptive\" exclude each other: every pixel gets the grid, or only "
+                         "those that need it");
     scene->adaptive = adaptive != NULL;
     const cJSON *finest = grid ? grid : adaptive;
     return !finest || json_integer(json, finest, 1, SCENE_MAX_GRID, &scene->grid);
@@ -189,8 +194,7 @@ static bool read_scene(const Json *json, Scene *scene, SceneBuild *build)
         !read_screen(json, keys[SCREEN].item, &scene->screen) || !read_lights(json, keys[LIGHTS].item, scene) ||
         !read_materials(json, keys[MATERIALS].item, build) ||
         (keys[OBJECTS].item && !scene_objects_read(json, keys[OBJECTS].item, build)) ||
-        !read_shading(json, keys[SHADING].item, &scene->shading) ||
-        !read_sampling(json, keys[SAMPLING].item, scene))
+        !read_shading(json, keys[SHADING].item, &scene->shading) || !read_sampling(json, keys[SAMPLING].item, scene))
         return false;
     return scene_build_finish(build) || fail_finish(json, keys, build);
 }

@@ -5,9 +5,9 @@
 
 #include "scene/scene.h"
 
-/* Reads a scene and all models that it names, relative to its own folder. On failure the scene is zeroed, and the error is
- * "PATH:LINE:COLUMN: WHERE: reason" with the line and a caret below, "PATH:LINE: reason" for a fault inside an OBJ or MTL
- * file, or ERROR_SYSTEM for memory and failing disks. Free with scene_free. */
+/* Reads a scene and all models that it names, relative to its own folder. On failure the scene is zeroed, and the error
+ * is "PATH:LINE:COLUMN: WHERE: reason" with the line and a caret below, "PATH:LINE: reason" for a fault inside an OBJ
+ * or MTL file, or ERROR_SYSTEM for memory and failing disks. Free with scene_free. */
 bool scene_load(Scene *scene, const char *path, Error *error);
 
 /* The same for `length` bytes of text; `path` stands in messages, and models are looked for beside it. */

@@ -15,8 +15,9 @@ typedef struct MtlLibrary {
     int file_count, file_capacity;
 } MtlLibrary;
 
-/* Adds a file's materials: newmtl, Ka, Kd, Ks (three numbers of 0 or more), Ns; other lines are skipped, what is not given
- * is 0, as is the reflection. A file that was read is not read again. Errors: "PATH:LINE: reason". Takes the path. */
+/* Adds a file's materials: newmtl, Ka, Kd, Ks (three numbers of 0 or more), Ns;
+ * other lines are skipped, what is not given is 0, as is the reflection. A file
+ * that was read is not read again. Errors: "PATH:LINE: reason". Takes the path. */
 bool scene_mtl_read(MtlLibrary *library, char *path, Error *error);
 
 void scene_mtl_free(MtlLibrary *library);

@@ -1,8 +1,8 @@
 /* Wavefront OBJ models: the geometry, line by line, so that a model of ten million faces needs no copy of its text. */
 #include "reader/scene_obj.h"
 
-#include "reader/scene_mtl.h"
 #include "base/words.h"
+#include "reader/scene_mtl.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +28,8 @@ static bool read_vertex(ObjReader *reader, char *rest)
     if ((count == 4 || count == 7) && c[3] != 1)
         return word_fail(&reader->lines, build->error, "a vertex with the weight %g; only 1 is supported", c[3]);
     /* 6 or 7 numbers: a colour follows, which says nothing about the shape */
-    return scene_build_point(build, vec3(c[0], c[1], c[2])) || word_fail(&reader->lines, build->error, "%s", build->reason);
+    return scene_build_point(build, vec3(c[0], c[1], c[2])) ||
+           word_fail(&reader->lines, build->error, "%s", build->reason);
 }
 
 /* Cuts a whole number that is not 0 off the text. */
@@ -64,7 +65,8 @@ static bool parse_reference(const char *at, long long *vertex)
     return !*at;
 }
 
-/* The referred vertex as an index from 0 within the object. Negative references count back from the last vertex so far. */
+/* The referred vertex as an index from 0 within the object.
+ * Negative references count back from the last vertex so far. */
 static bool read_reference(const ObjReader *reader, const char *word, int *vertex)
 {
     Error *error = reader->build->error;

@@ -1,11 +1,11 @@
 /* The "objects" of a scene file. */
 #include "reader/scene_objects.h"
 
-#include "json/json_read.h"
 #include "base/suggest.h"
+#include "base/text.h"
 #include "reader/scene_obj.h"
 #include "reader/scene_transform.h"
-#include "base/text.h"
+#include "json/json_read.h"
 
 #include <float.h>
 #include <limits.h>

@@ -2,8 +2,8 @@
 #ifndef RECTRAY_SCENE_OBJECTS_H
 #define RECTRAY_SCENE_OBJECTS_H
 
-#include "json/json.h"
 #include "reader/scene_build.h"
+#include "json/json.h"
 
 /* Adds each object of the list, in order. */
 bool scene_objects_read(const Json *json, const cJSON *objects, SceneBuild *build);

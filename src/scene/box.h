@@ -44,7 +44,8 @@ static inline double box_half_area(Box box)
     return x < 0 ? 0 : x * y + y * z + z * x;
 }
 
-/* The part, from t = 0 on, that lies between two planes across an axis (in them, too), and in a box (Kay and Kajiya 1986).
+/* The part, from t = 0 on, that lies between two planes across an axis (in them, too), and in a box (Kay and Kajiya
+ * 1986).
  * - It is never too short: it reaches beyond the exact one by more than rounding took away (Ize, "Robust BVH Ray
  *   Traversal", 2013).
  * - It is monotonic, bit for bit: a box inside another one gets an interval inside the other's. So a ray that meets the

@@ -1,5 +1,5 @@
-/* Arithmetic without rounding, by pairs and by expansions. An expansion is kept as doubles of growing magnitude that do not
- * overlap, so that its sign is the last one's. */
+/* Arithmetic without rounding, by pairs and by expansions. An expansion is kept as doubles of growing magnitude that do
+ * not overlap, so that its sign is the last one's. */
 #include "scene/exact.h"
 
 /* 6 products of three pairs, each product of three doubles being 4 doubles long. */
@@ -18,7 +18,8 @@ static Pair split(double a)
     return (Pair){high, a - high};
 }
 
-/* Dekker's product (Shewchuk 1997, theorem 18); fma would do it in one step but is slow where the processor lacks it. */
+/* Dekker's product (Shewchuk 1997, theorem 18); fma would do
+ * it in one step but is slow where the processor lacks it. */
 Pair exact_product(double a, double b)
 {
     double product = a * b;

@@ -1,7 +1,7 @@
 /* Arithmetic without rounding: sums and products of two doubles as pairs of doubles, and a 3x3 determinant by
  * floating-point expansions. An expansion is an unevaluated sum of doubles; sums and products of expansions are exact
- * (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, sections 2.3-2.7).
- * Expansions are slow, and wanted only where a rounded value is too close to zero to trust. */
+ * (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, sections
+ * 2.3-2.7). Expansions are slow, and wanted only where a rounded value is too close to zero to trust. */
 #ifndef RECTRAY_EXACT_H
 #define RECTRAY_EXACT_H
 
@@ -36,7 +36,10 @@ static inline ExactVec3 exact_difference(Vec3 a, Vec3 b)
     return (ExactVec3){vec3(x.high, y.high, z.high), vec3(x.low, y.low, z.low)};
 }
 
-static inline ExactVec3 exact_vec3(Vec3 a) { return (ExactVec3){a, vec3(0, 0, 0)}; }
+static inline ExactVec3 exact_vec3(Vec3 a)
+{
+    return (ExactVec3){a, vec3(0, 0, 0)};
+}
 
 /* det(a, b, c) = a . (b x c) to within an ulp or two, its sign exact. This holds unless a product of three components
  * leaves the range 2^-960 .. 2^1000, which the scene's limits on coordinates exclude. */

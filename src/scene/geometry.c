@@ -80,8 +80,8 @@ static ExactVec3 face_diagonal(const Face *face, int from, int to)
     return exact_difference(face_vertex(face, to), face_vertex(face, from));
 }
 
-/* The cross product of the diagonals, with an error of 16 u^2 |a| |b| for u = 2^-53. Their low parts are zero unless the
- * exponents of the vertices lie far apart, for a difference of floats mostly fits a double. */
+/* The cross product of the diagonals, with an error of 16 u^2 |a| |b| for u = 2^-53. Their low parts are zero unless
+ * the exponents of the vertices lie far apart, for a difference of floats mostly fits a double. */
 static ExactVec3 diagonals_cross(ExactVec3 a, ExactVec3 b)
 {
     Pair x = difference_of_products(a.high.y, b.high.z, a.high.z, b.high.y);
@@ -122,14 +122,15 @@ static double accurate_bound(const Plane *plane, Vec3 x)
     return (plane->error + 64 * ROUNDING * ROUNDING) * vec3_magnitudes(x);
 }
 
-/* N.x as if computed in twice the precision (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005, algorithm 5.3),
- * and exactly where even that leaves less than 24 bits. The sign is always exact. */
+/* N.x as if computed in twice the precision (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005, algorithm
+ * 5.3), and exactly where even that leaves less than 24 bits. The sign is always exact. */
 static Pair normal_dot_accurate(const Face *face, const Plane *plane, ExactVec3 x)
 {
     Vec3 n = plane->normal;
     Pair xs = exact_product(n.x, x.high.x), ys = exact_product(n.y, x.high.y), zs = exact_product(n.z, x.high.z);
     Pair xy = exact_sum(xs.high, ys.high), xyz = exact_sum(xy.high, zs.high);
-    double low = xy.low + xyz.low + (xs.low + ys.low + zs.low) + (vec3_dot(plane->normal_low, x.high) + vec3_dot(n, x.low));
+    double low =
+        xy.low + xyz.low + (xs.low + ys.low + zs.low) + (vec3_dot(plane->normal_low, x.high) + vec3_dot(n, x.low));
     Pair value = exact_sum(xyz.high, low);
     if (fabs(value.high) > 0x1p24 * accurate_bound(plane, x.high))
         return value;
@@ -150,10 +151,13 @@ static double normal_dot(const Face *face, const Plane *plane, ExactVec3 x)
     return plain_is_sure(plane, x.high, value) ? value : normal_dot_accurate(face, plane, x).high;
 }
 
-static ExactVec3 from_vertex(const Face *face, Vec3 point) { return exact_difference(point, face_vertex(face, 0)); }
+static ExactVec3 from_vertex(const Face *face, Vec3 point)
+{
+    return exact_difference(point, face_vertex(face, 0));
+}
 
-/* N.(point - v0) = N.point + D without the cancellation in D. Most faces are behind the ray or beyond the light, and this
- * is all that is asked of them: the difference without error is taken only where the rounded one is in doubt. */
+/* N.(point - v0) = N.point + D without the cancellation in D. Most faces are behind the ray or beyond the light, and
+ * this is all that is asked of them: the difference without error is taken only where the rounded one is in doubt. */
 static double plane_distance(const Face *face, const Plane *plane, Vec3 point)
 {
     Vec3 x = vec3_sub(point, face_vertex(face, 0));
@@ -161,7 +165,8 @@ static double plane_distance(const Face *face, const Plane *plane, Vec3 point)
     return plain_is_sure(plane, x, value) ? value : normal_dot_accurate(face, plane, from_vertex(face, point)).high;
 }
 
-/* t of the plane hit with an error of little more than half an ulp, unless the ray grazes the plane at less than 2^-40. */
+/* t of the plane hit with an error of little more than half an
+ * ulp, unless the ray grazes the plane at less than 2^-40. */
 static double accurate_t(const Face *face, const Plane *plane, Ray ray)
 {
     Pair distance = normal_dot_accurate(face, plane, from_vertex(face, ray.origin));
@@ -184,8 +189,8 @@ static double edge_determinant(Vec3 origin, ExactVec3 r, Vec3 a, Vec3 b)
     Vec3 p = vec3_sub(a, origin), q = vec3_sub(b, origin), d = r.high;
     double yz = p.y * q.z, zy = p.z * q.y, zx = p.z * q.x, xz = p.x * q.z, xy = p.x * q.y, yx = p.y * q.x;
     double value = d.x * (yz - zy) + d.y * (zx - xz) + d.z * (xy - yx);
-    double magnitude = fabs(d.x) * (fabs(yz) + fabs(zy)) + fabs(d.y) * (fabs(zx) + fabs(xz)) +
-                       fabs(d.z) * (fabs(xy) + fabs(yx));
+    double magnitude =
+        fabs(d.x) * (fabs(yz) + fabs(zy)) + fabs(d.y) * (fabs(zx) + fabs(xz)) + fabs(d.z) * (fabs(xy) + fabs(yx));
     if (fabs(value) > 10 * ROUNDING * magnitude)
         return value;
     return exact_determinant(r, exact_difference(a, origin), exact_difference(b, origin));
@@ -281,8 +286,10 @@ Vec3 point_shifted(const Face *face, const Plane *plane, Vec3 n, Vec3 point)
     double height = normal_dot_accurate(face, plane, x).high;
     if (vec3_dot(n, plane->normal) < 0)
         height = -height;
-    /* What rounding may take away: half an ulp of each coordinate of the sum, a few of the step, what the height lacks. */
-    double margin = 2 * ROUNDING * vec3_magnitudes(point) + 12 * ROUNDING * fabs(height) + accurate_bound(plane, x.high);
+    /* What rounding may take away: half an ulp of each coordinate
+     * of the sum, a few of the step, what the height lacks. */
+    double margin =
+        2 * ROUNDING * vec3_magnitudes(point) + 12 * ROUNDING * fabs(height) + accurate_bound(plane, x.high);
     margin = margin > 0x1p-100 ? margin : 0x1p-100;
     return vec3_add(point, vec3_scale(margin - height, n));
 }

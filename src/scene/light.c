@@ -1,7 +1,10 @@
 /* Illumination: what one light adds at one point. */
 #include "scene/light.h"
 
-static double clamp_at_zero(double x) { return x > 0 ? x : 0; }
+static double clamp_at_zero(double x)
+{
+    return x > 0 ? x : 0;
+}
 
 Illumination illuminate(const Material *material, const Light *light, Vec3 n, Vec3 l, Vec3 v)
 {
@@ -18,7 +21,10 @@ Illumination illuminate(const Material *material, const Light *light, Vec3 n, Ve
     return result;
 }
 
-bool colour_is_black(Vec3 colour) { return colour.x == 0 && colour.y == 0 && colour.z == 0; }
+bool colour_is_black(Vec3 colour)
+{
+    return colour.x == 0 && colour.y == 0 && colour.z == 0;
+}
 
 unsigned char colour_to_byte(double c)
 {

@@ -6,10 +6,10 @@
 
 /* The three terms and the factors they were made of. */
 typedef struct Illumination {
-    Vec3 ambient;  /* ka ia */
-    Vec3 diffuse;  /* kd id (L.N) */
-    Vec3 specular; /* ks is (N.H)^(alpha/4) */
-    Vec3 h;        /* H = (L + V) / |L + V|; zero where L = -V */
+    Vec3 ambient;            /* ka ia */
+    Vec3 diffuse;            /* kd id (L.N) */
+    Vec3 specular;           /* ks is (N.H)^(alpha/4) */
+    Vec3 h;                  /* H = (L + V) / |L + V|; zero where L = -V */
     double l_dot_n, n_dot_h; /* clamped at 0 */
 } Illumination;
 

@@ -29,7 +29,7 @@ typedef struct Camera {
 typedef struct Screen {
     int columns, rows;
     double distance, width;
-    double height;     /* 0: square pixels, see screen_height */
+    double height; /* 0: square pixels, see screen_height */
 } Screen;
 
 typedef struct Light {
@@ -65,8 +65,8 @@ typedef struct Plane {
     Vec3 normal;
     Vec3 normal_low; /* what rounding took from the normal: N + normal_low has twice its precision */
     double d;
-    double error;    /* no component of the exact normal is farther than this from N + normal_low */
-    double length;   /* of the cross product of the diagonals: det(x, v2 - v0, v3 - v1) = length (N + normal_low).x */
+    double error;  /* no component of the exact normal is farther than this from N + normal_low */
+    double length; /* of the cross product of the diagonals: det(x, v2 - v0, v3 - v1) = length (N + normal_low).x */
 } Plane;
 
 typedef enum ShadowRule { SHADOW_BLACK, SHADOW_AMBIENT } ShadowRule;
@@ -96,8 +96,8 @@ typedef struct Scene {
     Plane *planes;  /* one per face */
     Vec3 centre;    /* world position = scene position + centre */
     Shading shading;
-    int grid;       /* n x n rays per pixel, */
-    bool adaptive;  /* or, where one ray through its centre is enough for a pixel, that ray alone: adaptive.h */
+    int grid;      /* n x n rays per pixel, */
+    bool adaptive; /* or, where one ray through its centre is enough for a pixel, that ray alone: adaptive.h */
 } Scene;
 
 /* Frees all that the scene owns and zeroes it; a zeroed scene may be freed again. */

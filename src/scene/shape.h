@@ -28,8 +28,8 @@ typedef struct Shape {
  * below what rounding the coordinates can make of zero. */
 Shape shape_of(const Vec3 *vertices, int count);
 
-/* The same for vertices that were rounded to float32: planar or not does not matter, an area counts when it is not zero,
- * and a corner may bend inwards by 1/100 of the face's area. */
+/* The same for vertices that were rounded to float32: planar or not does not matter, an area counts when it is not
+ * zero, and a corner may bend inwards by 1/100 of the face's area. */
 Shape shape_of_rounded(const Vec3 *vertices, int count);
 
 #endif

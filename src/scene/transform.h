@@ -15,8 +15,9 @@ Transform transform_identity(void);
 Transform transform_scale(Vec3 factors);
 Transform transform_translate(Vec3 offset);
 
-/* The rotation about a non-zero axis through the origin, counter-clockwise for one who looks against the axis (right-hand
- * rule): R = cos I + sin [k] + (1 - cos) k k^T for the unit axis k (Rodrigues 1840). Quarter turns are exact. */
+/* The rotation about a non-zero axis through the origin, counter-clockwise for
+ * one who looks against the axis (right-hand rule): R = cos I + sin [k] + (1 -
+ * cos) k k^T for the unit axis k (Rodrigues 1840). Quarter turns are exact. */
 Transform transform_rotate(Vec3 axis, double degrees);
 
 /* First `first`, then `next`. */

@@ -1,5 +1,5 @@
-/* How a tracer finds faces: one by one, or through a tree. To add a tree, add a kind in render.h and a case to each function
- * here. */
+/* How a tracer finds faces: one by one, or through a tree. To add a
+ * tree, add a kind in render.h and a case to each function here. */
 #ifndef RECTRAY_ACCEL_H
 #define RECTRAY_ACCEL_H
 
@@ -8,8 +8,8 @@
 #include "trace/render.h"
 #include "trace/traversal.h"
 
-/* Scenes of fewer faces than this are traced face by face unless the user says otherwise. At twelve faces a tree makes a ray
- * a quarter faster, at forty four times as fast; below, there is nothing to win. */
+/* Scenes of fewer faces than this are traced face by face unless the user says otherwise. At twelve faces a tree makes
+ * a ray a quarter faster, at forty four times as fast; below, there is nothing to win. */
 enum { ACCEL_AUTO_FACES = 12 };
 
 typedef struct Accel {

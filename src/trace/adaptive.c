@@ -1,5 +1,5 @@
-/* Adaptive sampling: the beam of a pixel follows the path of its centre, hit by hit, light by light, until something may
- * change within the pixel. */
+/* Adaptive sampling: the beam of a pixel follows the path of its centre, hit by hit, light by light, until something
+ * may change within the pixel. */
 #include "trace/adaptive.h"
 
 #define WIDEST 0.25 /* a direction that turns by more than this within a pixel is not followed */
@@ -15,7 +15,10 @@ typedef struct Judge {
     BeamPlane plane; /* its plane */
 } Judge;
 
-static double largest(Vec3 a) { return a.x > a.y ? (a.x > a.z ? a.x : a.z) : (a.y > a.z ? a.y : a.z); }
+static double largest(Vec3 a)
+{
+    return a.x > a.y ? (a.x > a.z ? a.x : a.z) : (a.y > a.z ? a.y : a.z);
+}
 
 static const Material *material_of(const Scene *scene, int face)
 {
@@ -32,8 +35,8 @@ int adaptive_samples(int n)
     return samples;
 }
 
-/* Of the odd generators those whose lattices have the longest shortest vector (the spectral test: Knuth, The Art of Computer
- * Programming 2, 3.3.4); of these the one with the least error at straight edges of all directions. */
+/* Of the odd generators those whose lattices have the longest shortest vector (the spectral test: Knuth, The Art of
+ * Computer Programming 2, 3.3.4); of these the one with the least error at straight edges of all directions. */
 int adaptive_generator(int samples)
 {
     static const int generators[] = {1, 3, 5, 13, 25, 19, 105, 119, 405, 271};
@@ -66,10 +69,13 @@ double adaptive_brightest(const Scene *scene)
 
 /* --- How evenly light changes over a face --- */
 
-/* The directions of a beam made unit vectors are a linear function of a and b but for a rest whose average is at most this:
- * 2/sqrt(3) bounds the second derivative of x/|x| at |x| = 1, (1 - 1/4)^-2 what |x| changes, and (a u + b v)^2 has the
- * average (u^2 + v^2) / 3. `square` is (u^2 + v^2) / c^2. */
-static double curved(double square) { return 0.35 * square; }
+/* The directions of a beam made unit vectors are a linear function of a and b but for a rest whose average is at most
+ * this: 2/sqrt(3) bounds the second derivative of x/|x| at |x| = 1, (1 - 1/4)^-2 what |x| changes, and (a u + b v)^2
+ * has the average (u^2 + v^2) / 3. `square` is (u^2 + v^2) / c^2. */
+static double curved(double square)
+{
+    return 0.35 * square;
+}
 
 /* A bound of x^power for 0 <= x <= 1 without a power in it: x^p <= exp(-p (1 - x)). */
 static double power_bound(double x, double power)
@@ -78,8 +84,8 @@ static double power_bound(double x, double power)
     return y > 0 ? 1 / (1 + y * (1 + y * (0.5 + y * (1.0 / 6 + y * (1.0 / 24))))) : 1;
 }
 
-/* How far the average of x^k may be from its value at the middle, x, where the average of x is off by at most `off` and x
- * changes by at most `change`: the first two terms of Taylor's series. */
+/* How far the average of x^k may be from its value at the middle, x, where the average of x is off by at most `off` and
+ * x changes by at most `change`: the first two terms of Taylor's series. */
 static double power_uneven(double x, double k, double off, double change)
 {
     double high = x + change < 1 ? x + change : 1, low = x - change;
@@ -92,9 +98,10 @@ static double power_uneven(double x, double k, double off, double change)
     return low > 0 ? (2 * off + 0.5 * change * change / low) / low : 1;
 }
 
-/* The most by which the colour at the middle of the beam may differ from its average, for one light that reaches all of it.
- * `to_light` and `to_viewer` are the same beam as the two see it. */
-static double unevenness(const Material *material, const Light *light, Vec3 normal, const Beam *to_light, const Beam *to_viewer)
+/* The most by which the colour at the middle of the beam may differ from its average, for one light that reaches all of
+ * it. `to_light` and `to_viewer` are the same beam as the two see it. */
+static double unevenness(const Material *material, const Light *light, Vec3 normal, const Beam *to_light,
+                         const Beam *to_viewer)
 {
     double diffuse = largest(vec3_multiply(material->diffuse, light->diffuse));
     double specular = largest(vec3_multiply(material->specular, light->specular));
@@ -104,7 +111,8 @@ static double unevenness(const Material *material, const Light *light, Vec3 norm
     if (!(l_turn <= WIDEST && v_turn <= WIDEST))
         return diffuse + specular;
     double l_square = (vec3_dot(to_light->u, to_light->u) + vec3_dot(to_light->v, to_light->v)) / (l_length * l_length);
-    double v_square = (vec3_dot(to_viewer->u, to_viewer->u) + vec3_dot(to_viewer->v, to_viewer->v)) / (v_length * v_length);
+    double v_square =
+        (vec3_dot(to_viewer->u, to_viewer->u) + vec3_dot(to_viewer->v, to_viewer->v)) / (v_length * v_length);
     double uneven = diffuse * curved(l_square);
     if (specular == 0)
         return uneven;
@@ -113,9 +121,11 @@ static double unevenness(const Material *material, const Light *light, Vec3 norm
     double length = vec3_length(sum), h_turn = (l_turn / (1 - l_turn) + v_turn / (1 - v_turn)) / length;
     if (!(h_turn <= WIDEST))
         return uneven + specular;
-    double n_dot_h = -vec3_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h, angle = 1.1 * h_turn / (1 - h_turn);
+    double n_dot_h = -vec3_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h,
+           angle = 1.1 * h_turn / (1 - h_turn);
     double change = sqrt(square > 0 ? square : 0) * angle + 0.5 * angle * angle;
-    double off = 4.0 / 3 * (curved(l_square) + curved(v_square)) / length + 1.25 * (l_square + v_square) / (length * length);
+    double off =
+        4.0 / 3 * (curved(l_square) + curved(v_square)) / length + 1.25 * (l_square + v_square) / (length * length);
     return uneven + specular * power_uneven(n_dot_h, material->shininess / 4, off, change);
 }
 
@@ -193,7 +203,8 @@ AdaptiveVerdict adaptive_judge(const Scene *scene, const Accel *accel, const Pat
                                RenderReport *report)
 {
     View view = view_of(scene);
-    Judge judge = {.scene = scene, .accel = accel, .report = report, .beam = beam_of_pixel(&view, column, row), .weight = 1};
+    Judge judge = {
+        .scene = scene, .accel = accel, .report = report, .beam = beam_of_pixel(&view, column, row), .weight = 1};
     double brightest = adaptive_brightest(scene);
     for (int hit = 0; hit < path->count && judge.weight * brightest >= ADAPTIVE_TOLERANCE; hit++) {
         int from = hit > 0 ? path->faces[hit - 1] : -1;

@@ -32,8 +32,8 @@ typedef struct AdaptiveVerdict {
     int light; /* ADAPTIVE_SHADOW, _HIGHLIGHT */
 } AdaptiveVerdict;
 
-/* How many samples each refined pixel gets, where the finest grid is n x n: a power of two, at least 2 n and n^2/4, at most n^2
- * (n >= 2). */
+/* How many samples each refined pixel gets, where the finest grid is n x n: a power of two, at least 2 n and n^2/4, at
+ * most n^2 (n >= 2). */
 int adaptive_samples(int n);
 
 /* The samples of a refined pixel are a lattice: of a grid of samples x samples cells sample k has the middle of cell

@@ -25,7 +25,10 @@ Beam beam_of_pixel(const View *view, int column, int row)
     });
 }
 
-static Vec3 mirrored(Vec3 d, Vec3 n) { return vec3_sub(d, vec3_scale(2 * vec3_dot(d, n), n)); }
+static Vec3 mirrored(Vec3 d, Vec3 n)
+{
+    return vec3_sub(d, vec3_scale(2 * vec3_dot(d, n), n));
+}
 
 Beam beam_mirrored(const Beam *beam, const Face *face, const Plane *plane)
 {
@@ -116,14 +119,15 @@ static Edges edges_of(const Beam *beam, const Face *face)
     return edges;
 }
 
-/* Where a corner p of a face is in the beam's own terms, p = l (c + a u + b v): l det(u, v, c) = det(u, v, p), and so on. */
+/* Where a corner p of a face is in the beam's own terms, p = l
+ * (c + a u + b v): l det(u, v, c) = det(u, v, p), and so on. */
 typedef struct Corner {
     double l, la, lb, doubt;
 } Corner;
 
-/* Is the whole face on the outer side of a plane l a = m l with m >= 1? For m = 1 that is the side a = 1 of the beam (sign 1);
- * the larger m is, the more is the plane turned to where l = 0, away from the beam: a face that reaches behind the apex may
- * be beyond these alone. Likewise the side a = -1 (sign -1), and with lb for la the sides of b. */
+/* Is the whole face on the outer side of a plane l a = m l with m >= 1? For m = 1 that is the side a = 1 of the beam
+ * (sign 1); the larger m is, the more is the plane turned to where l = 0, away from the beam: a face that reaches
+ * behind the apex may be beyond these alone. Likewise the side a = -1 (sign -1), and with lb for la the sides of b. */
 static bool is_beyond(const Corner *corners, int count, bool is_a, double sign)
 {
     double low = 0, high = HUGE_VAL; /* of m, by the corners behind and before the apex */

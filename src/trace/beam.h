@@ -1,13 +1,13 @@
-/* Beams: all rays of a pixel at once. A beam is a pyramid; mirrors and planes map it to other pyramids, for everything that
- * happens to it is linear in the direction. So "does any face cross it?" is asked of the pyramid instead of many rays: see
- * docs/bounds.md, section 12. Every answer errs on the safe side by more than rounding. */
+/* Beams: all rays of a pixel at once. A beam is a pyramid; mirrors and planes map it to other pyramids, for everything
+ * that happens to it is linear in the direction. So "does any face cross it?" is asked of the pyramid instead of many
+ * rays: see docs/bounds.md, section 12. Every answer errs on the safe side by more than rounding. */
 #ifndef RECTRAY_BEAM_H
 #define RECTRAY_BEAM_H
 
 #include "scene/geometry.h"
 
-/* Relative to the magnitudes that meet in a value, more than all rounding: up to 64 mirrors leave an error of some 2^-43 in
- * the apex and the directions, and a value adds a few 2^-53. */
+/* Relative to the magnitudes that meet in a value, more than all rounding: up to 64 mirrors leave an error of some
+ * 2^-43 in the apex and the directions, and a value adds a few 2^-53. */
 #define BEAM_SLACK 0x1p-38
 
 /* The rays from the apex A in the directions c + a u + b v, for all a and b in [-1, 1]. */

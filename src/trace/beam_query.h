@@ -17,8 +17,8 @@ typedef struct BeamQuery {
     uint64_t box_tests, face_tests;
 } BeamQuery;
 
-/* Begins a query along the beam; then the tree is asked, or all faces where there is none. Which faces answer depends on
- * the faces alone, not on the tree. */
+/* Begins a query along the beam; then the tree is asked, or all faces where there is none. Which faces answer depends
+ * on the faces alone, not on the tree. */
 BeamQuery beam_query(const Scene *scene, const Beam *beam, int from, int to);
 void beam_ask(BeamQuery *query, const Accel *accel);
 

@@ -3,8 +3,8 @@
  * and the tree comes out the same whoever built what. */
 #include "trace/bvh.h"
 
-#include "scene/geometry.h"
 #include "base/parallel.h"
+#include "scene/geometry.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -38,7 +38,10 @@ typedef struct Split {
 } Split;
 
 /* Twice the middle of a box on an axis; where it is rounded matters to no picture. */
-static float box_middle(const Box *box, int axis) { return box->low[axis] + box->high[axis]; }
+static float box_middle(const Box *box, int axis)
+{
+    return box->low[axis] + box->high[axis];
+}
 
 /* The range of the boxes' middles on each axis, and how to turn a middle into a bin. */
 typedef struct Binning {
@@ -130,8 +133,9 @@ static int partition(FaceBox *boxes, int count, const Binning *binning, Split sp
     return left;
 }
 
-/* Faces that fill more than this share of a node's surface, where they are at most one in so many, are set apart from the others,
- * whose boxes would grow to the node's all the way down if they held one of them: the floor below a city. */
+/* Faces that fill more than this share of a node's surface, where they are at most
+ * one in so many, are set apart from the others, whose boxes would grow to the
+ * node's all the way down if they held one of them: the floor below a city. */
 #define LARGE_SHARE 0.5
 enum { LARGE_RARE = 32 };
 
@@ -229,7 +233,8 @@ bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error)
     *bvh = (Bvh){.face_count = scene->face_count};
     bvh->nodes = malloc(2 * count * sizeof *bvh->nodes);
     bvh->order = malloc(count * sizeof *bvh->order);
-    Builder builder = {.bvh = bvh, .boxes = malloc(count * sizeof *builder.boxes), .tasks = malloc(count * sizeof(Task))};
+    Builder builder = {
+        .bvh = bvh, .boxes = malloc(count * sizeof *builder.boxes), .tasks = malloc(count * sizeof(Task))};
     bool ok = bvh->nodes && bvh->order && builder.boxes && builder.tasks;
     if (ok) {
         for (size_t i = 0; i < count; i++)

@@ -7,8 +7,8 @@
 #include "scene/box.h"
 #include "scene/scene.h"
 
-/* A leaf has count > 0 faces, order[first .. first + count - 1]. An inner node has count 0; its children are the node after
- * it and the node `first`. */
+/* A leaf has count > 0 faces, order[first .. first + count - 1]. An inner node has count 0; its children are the node
+ * after it and the node `first`. */
 typedef struct BvhNode {
     Box box;
     int first;

@@ -27,8 +27,10 @@ static bool traverse_node(const Bvh *bvh, int index, int level, Interval inside,
     int first = index + 1, second = node->first;
     Interval in_first = in_node(bvh, first, traversal), in_second = in_node(bvh, second, traversal);
     if (in_second.enter < in_first.enter)
-        return traverse_node(bvh, second, level + 1, in_second, traversal) && traverse_node(bvh, first, level + 1, in_first, traversal);
-    return traverse_node(bvh, first, level + 1, in_first, traversal) && traverse_node(bvh, second, level + 1, in_second, traversal);
+        return traverse_node(bvh, second, level + 1, in_second, traversal) &&
+               traverse_node(bvh, first, level + 1, in_first, traversal);
+    return traverse_node(bvh, first, level + 1, in_first, traversal) &&
+           traverse_node(bvh, second, level + 1, in_second, traversal);
 }
 
 void bvh_traverse(const Bvh *bvh, Traversal *traversal)

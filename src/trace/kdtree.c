@@ -4,8 +4,8 @@
 #include "trace/kdtree.h"
 
 #include "base/array.h"
-#include "trace/kdtree_voxel.h"
 #include "base/parallel.h"
+#include "trace/kdtree_voxel.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -23,7 +23,8 @@ typedef struct Part {
     bool failed; /* memory ran short */
 } Part;
 
-/* A voxel to be built into a tree at a depth. What lies in its leaves, a face counted once for each, is at most `budget`. */
+/* A voxel to be built into a tree at a depth. What lies in its
+ * leaves, a face counted once for each, is at most `budget`. */
 typedef struct Job {
     Voxel voxel;
     int depth, budget;

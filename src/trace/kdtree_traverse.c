@@ -31,8 +31,10 @@ static bool traverse_node(const KdTree *tree, int index, int level, Interval ins
     Interval high = interval_common(inside, interval_between(plane, HUGE_VAL, origin, direction));
     int below = index + 1, above = node->first;
     if (direction < 0)
-        return traverse_node(tree, above, level + 1, high, traversal) && traverse_node(tree, below, level + 1, low, traversal);
-    return traverse_node(tree, below, level + 1, low, traversal) && traverse_node(tree, above, level + 1, high, traversal);
+        return traverse_node(tree, above, level + 1, high, traversal) &&
+               traverse_node(tree, below, level + 1, low, traversal);
+    return traverse_node(tree, below, level + 1, low, traversal) &&
+           traverse_node(tree, above, level + 1, high, traversal);
 }
 
 void kdtree_traverse(const KdTree *tree, Traversal *traversal)

@@ -5,7 +5,8 @@
 #include "trace/kdtree.h"
 #include "trace/traversal.h"
 
-/* Shows the traversal the faces of each leaf that the ray meets, nearest leaf first; a face in several leaves is shown for each. */
+/* Shows the traversal the faces of each leaf that the ray meets,
+ * nearest leaf first; a face in several leaves is shown for each. */
 void kdtree_traverse(const KdTree *tree, Traversal *traversal);
 
 #endif

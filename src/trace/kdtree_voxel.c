@@ -7,8 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A step to a child costs as much as this many face tests: less makes trees twice as large that are no faster. A cut that
- * leaves one side empty is worth more than the heuristic knows (section 3.3), for it spares rays that end elsewhere. */
+/* A step to a child costs as much as this many face tests: less makes trees twice
+ * as large that are no faster. A cut that leaves one side empty is worth more than
+ * the heuristic knows (section 3.3), for it spares rays that end elsewhere. */
 #define STEP_COST 1.0
 #define EMPTY_BONUS 0.8
 
@@ -117,7 +118,8 @@ static Slices slices_of(const Box *box, int axis)
                     box_half_area(*box)};
 }
 
-/* Takes the cut if it is a better one. A cut along the voxel's own side must take the faces in that side away, or it is none. */
+/* Takes the cut if it is a better one. A cut along the voxel's own
+ * side must take the faces in that side away, or it is none. */
 static void try_cut(const Slices *slices, VoxelCut cut, VoxelCut *best)
 {
     double low = (double)cut.position - slices->low, high = slices->high - (double)cut.position;

@@ -1,6 +1,6 @@
-/* A voxel while a k-d tree is built: a box of space, the faces in it, and the events along each axis: where the box of a face
- * begins, ends, or lies in a plane. Events are sorted once; cutting a voxel keeps their order. Faces are cut as their boxes:
- * what a leaf holds then covers all of FaceTest.t_in_box. */
+/* A voxel while a k-d tree is built: a box of space, the faces in it, and the events along each axis: where the box of
+ * a face begins, ends, or lies in a plane. Events are sorted once; cutting a voxel keeps their order. Faces are cut as
+ * their boxes: what a leaf holds then covers all of FaceTest.t_in_box. */
 #ifndef RECTRAY_KDTREE_VOXEL_H
 #define RECTRAY_KDTREE_VOXEL_H
 
@@ -44,8 +44,8 @@ bool voxel_of_scene(Voxel *voxel, const Scene *scene);
 /* The cheapest cut by the surface area heuristic, all three axes in one sweep each. */
 VoxelCut voxel_best_cut(const Voxel *voxel);
 
-/* Cuts: the voxel becomes its high side, `low` gets memory of its own. `places` has room for each face of the voxel. False, the
- * voxel unchanged, when memory is short. */
+/* Cuts: the voxel becomes its high side, `low` gets memory of its own. `places` has room for each face of the voxel.
+ * False, the voxel unchanged, when memory is short. */
 bool voxel_cut(Voxel *voxel, const VoxelCut *cut, VoxelPlaces *places, Voxel *low);
 
 /* A copy that takes no more memory than it needs. */

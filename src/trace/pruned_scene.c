@@ -1,5 +1,5 @@
-/* A scene without black lights, without faces that no ray reaches, and without bounces where nothing reflects. What is left
- * out is certain not to matter, for the sides of planes are exact (geometry.h). */
+/* A scene without black lights, without faces that no ray reaches, and without bounces where nothing reflects. What is
+ * left out is certain not to matter, for the sides of planes are exact (geometry.h). */
 #include "trace/pruned_scene.h"
 
 #include "scene/light.h"
@@ -8,7 +8,8 @@
 
 #include <stdlib.h>
 
-/* Unreachable faces are looked for in scenes of up to so many: in larger ones the search would cost more than it could save. */
+/* Unreachable faces are looked for in scenes of up to so many: in
+ * larger ones the search would cost more than it could save. */
 enum { UNREACHABLE_FACES_MOST = 10000 };
 
 static bool light_is_black(const Light *light)
@@ -51,7 +52,8 @@ static bool keep_faces(PrunedScene *pruned, const Scene *scene, Error *error)
     return true;
 }
 
-bool pruned_scene_make(PrunedScene *pruned, const Scene *scene, const RenderSettings *settings, RenderReport *report, Error *error)
+bool pruned_scene_make(PrunedScene *pruned, const Scene *scene, const RenderSettings *settings, RenderReport *report,
+                       Error *error)
 {
     *pruned = (PrunedScene){.scene = *scene};
     Survey survey;
@@ -65,15 +67,16 @@ bool pruned_scene_make(PrunedScene *pruned, const Scene *scene, const RenderSett
         pruned->scene.shading.max_bounces = 0;
         report->skipped[SKIP_MIRRORS] = 1;
     }
-    /* Adaptive sampling looks at faces that no ray hits and at shadows of black lights, too: they may make it cast more rays.
-     * Under the black rule a path goes on from where a light reaches, be it black. */
+    /* Adaptive sampling looks at faces that no ray hits and at shadows of black lights, too: they may make it cast more
+     * rays. Under the black rule a path goes on from where a light reaches, be it black. */
     bool black_adds_nothing = !reflections || scene->shading.shadow == SHADOW_AMBIENT;
     if (black > 0 && black_adds_nothing && !scene->adaptive && skip_wanted(settings, SKIP_LIGHT_BLACK)) {
         if (!keep_lights(pruned, scene, error))
             return false;
         report->skipped[SKIP_LIGHT_BLACK] = (uint64_t)black;
     }
-    if (!reflections && !scene->adaptive && scene->face_count <= UNREACHABLE_FACES_MOST && skip_wanted(settings, SKIP_UNREACHABLE_FACE)) {
+    if (!reflections && !scene->adaptive && scene->face_count <= UNREACHABLE_FACES_MOST &&
+        skip_wanted(settings, SKIP_UNREACHABLE_FACE)) {
         if (!keep_faces(pruned, scene, error))
             return false;
         report->skipped[SKIP_UNREACHABLE_FACE] = (uint64_t)(scene->face_count - pruned->scene.face_count);

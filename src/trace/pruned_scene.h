@@ -5,8 +5,8 @@
 #include "scene/scene.h"
 #include "trace/render.h"
 
-/* A scene without what cannot matter to any pixel, for rendering. It shares the rest with the scene that it was made from, which
- * must outlive it, and which it is a plain copy of where there is nothing to leave out. */
+/* A scene without what cannot matter to any pixel, for rendering. It shares the rest with the scene that it was made
+ * from, which must outlive it, and which it is a plain copy of where there is nothing to leave out. */
 typedef struct PrunedScene {
     Scene scene;
     Light *lights; /* its own, or NULL */
@@ -14,8 +14,10 @@ typedef struct PrunedScene {
     Plane *planes;
 } PrunedScene;
 
-/* Makes it, and counts in the report what was left out. False without memory; pruned_scene_free may be called in any case. */
-bool pruned_scene_make(PrunedScene *pruned, const Scene *scene, const RenderSettings *settings, RenderReport *report, Error *error);
+/* Makes it, and counts in the report what was left out. False
+ * without memory; pruned_scene_free may be called in any case. */
+bool pruned_scene_make(PrunedScene *pruned, const Scene *scene, const RenderSettings *settings, RenderReport *report,
+                       Error *error);
 
 void pruned_scene_free(PrunedScene *pruned);
 

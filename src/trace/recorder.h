@@ -1,13 +1,13 @@
-/* The walkthrough as data: the events that the reference tracer tells while it traces one pixel.
+/* The walkthrough as data: the events that the reference tracer records while it traces one pixel.
  * The tracer knows no format; text, JSON, OBJ and SVG are made from these events elsewhere. A NULL recorder
  * is silent and costs one comparison. To add an event: a kind here, a struct in the union, one call in
  * reference.c, and a case in every format. */
 #ifndef RECTRAY_RECORDER_H
 #define RECTRAY_RECORDER_H
 
-#include "trace/adaptive.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
+#include "trace/adaptive.h"
 #include "trace/traversal.h"
 
 /* Tables, a line each. */
@@ -46,19 +46,25 @@ typedef struct Event {
     union {
         AdaptiveVerdict adaptive;
         struct { int column, row, i, j; ScreenPoint at; Vec3 c, q, r; } sample; /* C, Q, R */
-        struct { int face; FaceTest test; double nearest_t; } face; /* nearest_t: of the faces before, HUGE_VAL if none */
+        /* nearest_t: of the faces before, HUGE_VAL if none */
+        struct { int face; FaceTest test; double nearest_t; } face;
         TraversalNode node;
-        struct { int face; FaceTest test; Vec3 point, normal, shifted; int step; } hit; /* normal turned to the ray; step: 0 for the first hit */
+        /* normal: turned to the ray; step: 0 for the first hit */
+        struct { int face; FaceTest test; Vec3 point, normal, shifted; int step; } hit;
         struct { Vec3 background, weight_times_background; double weight; } miss;
-        struct { int light, side; Vec3 position, to_light; double distance, height; Vec3 l, shadow_origin; } light; /* height: N.(light - v0), over the face's plane; side: its exact sign */
+        /* height: N.(light - v0), over the face's plane; side: its exact sign */
+        struct { int light, side; Vec3 position, to_light; double distance, height; Vec3 l, shadow_origin; } light;
         struct { int face; FaceTest test; } occluder;
         struct { int light; LightVerdict verdict; int blocker; } light_end; /* blocker: a face or -1 */
-        struct { int light; Illumination illumination; Vec3 l, v, sum; double exponent; bool ambient_only; } terms; /* sum: this light's */
+        /* sum: this light's */
+        struct { int light; Illumination illumination; Vec3 l, v, sum; double exponent; bool ambient_only; } terms;
         struct { Vec3 illumination, contribution, total; double weight; int lights_reaching; } shaded;
-        struct { Vec3 r_unit, direction, origin; double reflection, weight; int bounce; } reflected; /* bounce: 1 for the first */
+        /* bounce: 1 for the first */
+        struct { Vec3 r_unit, direction, origin; double reflection, weight; int bounce; } reflected;
         struct { PathEnd reason; Vec3 colour; int bounces; } path_end; /* colour: of this sample */
         struct { Vec3 sum, average, clamped; int samples; unsigned char rgb[3]; } pixel;
-        struct { int tested, verdicts[FACE_VERDICT_COUNT], nodes_met, nodes_entered, leaves; bool shadow; } tally; /* shadow: of a shadow ray; leaves: among the nodes entered */
+        /* shadow: of a shadow ray; leaves: among the nodes entered */
+        struct { int tested, verdicts[FACE_VERDICT_COUNT], nodes_met, nodes_entered, leaves; bool shadow; } tally;
     } as;
 } Event;
 

@@ -24,17 +24,26 @@ typedef struct Search {
 } Search;
 
 /* Records an event. Without a recorder it costs one comparison; the event is not even built. */
-#define RECORD(tracer, ...)                                          \
-    do {                                                           \
-        if ((tracer)->recorder)                                    \
+#define RECORD(tracer, ...)                                           \
+    do {                                                              \
+        if ((tracer)->recorder)                                       \
             record((tracer)->recorder, (Event){.kind = __VA_ARGS__}); \
     } while (0)
 
-static void record(const Recorder *recorder, Event event) { recorder->record(recorder->user, &event); }
+static void record(const Recorder *recorder, Event event)
+{
+    recorder->record(recorder->user, &event);
+}
 
-static Vec3 unit_or_zero(Vec3 a) { return vec3_dot(a, a) > 0 ? vec3_unit(a) : a; }
+static Vec3 unit_or_zero(Vec3 a)
+{
+    return vec3_dot(a, a) > 0 ? vec3_unit(a) : a;
+}
 
-static Vec3 point_at(Ray ray, double t) { return vec3_add(ray.origin, vec3_scale(t, ray.direction)); }
+static Vec3 point_at(Ray ray, double t)
+{
+    return vec3_add(ray.origin, vec3_scale(t, ray.direction));
+}
 
 static void record_node(const Traversal *traversal, TraversalNode node)
 {
@@ -46,7 +55,8 @@ static void record_node(const Traversal *traversal, TraversalNode node)
 static void search_faces(Search *search, Ray ray, double limit, bool (*visit)(Traversal *traversal, int face))
 {
     const Tracer *tracer = search->tracer;
-    Traversal traversal = {.origin = ray.origin, .direction = ray.direction, .limit = limit, .visit = visit, .user = search};
+    Traversal traversal = {
+        .origin = ray.origin, .direction = ray.direction, .limit = limit, .visit = visit, .user = search};
     traversal.node = tracer->recorder ? record_node : NULL;
     if (accel_has_tree(tracer->accel))
         accel_traverse(tracer->accel, &traversal);
@@ -103,8 +113,8 @@ static bool visit_for_blocker(Traversal *traversal, int face)
     const Tracer *tracer = search->tracer;
     if (face == search->skip)
         return true;
-    FaceTest test = face_test_segment(&tracer->scene->faces[face], &tracer->scene->planes[face], traversal->origin, search->to,
-                                      tracer->recorder != NULL);
+    FaceTest test = face_test_segment(&tracer->scene->faces[face], &tracer->scene->planes[face], traversal->origin,
+                                      search->to, tracer->recorder != NULL);
     tracer->report->face_tests++;
     RECORD(tracer, EVENT_OCCLUDER, .as.occluder = {face, test});
     if (test.verdict == FACE_INSIDE)
@@ -127,8 +137,9 @@ static void record_light(const Tracer *tracer, const Hit *hit, int index, int si
     Vec3 to_light = vec3_sub(position, hit->point);
     Vec3 from_vertex = vec3_sub(position, face_vertex(&tracer->scene->faces[hit->face], 0));
     double height = side == 0 ? 0 : vec3_dot(hit->normal, from_vertex);
-    RECORD(tracer, EVENT_LIGHT, .as.light = {index, side, position, to_light, vec3_length(to_light), height,
-                                           unit_or_zero(to_light), hit->shifted});
+    RECORD(tracer, EVENT_LIGHT,
+           .as.light = {index, side, position, to_light, vec3_length(to_light), height, unit_or_zero(to_light),
+                        hit->shifted});
 }
 
 /* Step 6 for one light: is it in front of the face, and does anything stand between? */
@@ -246,7 +257,7 @@ static Vec3 trace_path(const Tracer *tracer, Ray ray)
         left = hit.face;
         tracer->report->rays.reflection++;
         RECORD(tracer, EVENT_REFLECTED,
-             .as.reflected = {r, ray.direction, ray.origin, material->reflection, weight, bounces + 1});
+               .as.reflected = {r, ray.direction, ray.origin, material->reflection, weight, bounces + 1});
     }
 }
 
@@ -259,8 +270,9 @@ static Vec3 trace_sample(const Tracer *tracer, int grid, int column, int row, in
     if (tracer->path)
         tracer->path->count = 0;
     tracer->report->rays.primary++;
-    RECORD(tracer, EVENT_SAMPLE, .as.sample = {column, row, i, j, view_screen_point(&view, column, row, i, j), ray.origin,
-                                             vec3_add(ray.origin, ray.direction), ray.direction});
+    RECORD(tracer, EVENT_SAMPLE,
+           .as.sample = {column, row, i, j, view_screen_point(&view, column, row, i, j), ray.origin,
+                         vec3_add(ray.origin, ray.direction), ray.direction});
     return trace_path(tracer, ray);
 }
 
@@ -269,14 +281,20 @@ Vec3 reference_sample(const Tracer *tracer, int column, int row, int i, int j)
     return trace_sample(tracer, tracer->scene->grid, column, row, i, j);
 }
 
-static Vec3 clamped(Vec3 c) { return vec3(fmin(fmax(c.x, 0), 1), fmin(fmax(c.y, 0), 1), fmin(fmax(c.z, 0), 1)); }
+static Vec3 clamped(Vec3 c)
+{
+    return vec3(fmin(fmax(c.x, 0), 1), fmin(fmax(c.y, 0), 1), fmin(fmax(c.z, 0), 1));
+}
 
 static Vec3 average_of(const Tracer *tracer, Vec3 sum, int samples)
 {
     Vec3 average = vec3(sum.x / samples, sum.y / samples, sum.z / samples);
-    RECORD(tracer, EVENT_PIXEL, .as.pixel = {sum, average, clamped(average), samples,
-                                           {colour_to_byte(average.x), colour_to_byte(average.y),
-                                            colour_to_byte(average.z)}});
+    RECORD(tracer, EVENT_PIXEL,
+           .as.pixel = {sum,
+                        average,
+                        clamped(average),
+                        samples,
+                        {colour_to_byte(average.x), colour_to_byte(average.y), colour_to_byte(average.z)}});
     return average;
 }
 

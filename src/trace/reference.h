@@ -3,12 +3,12 @@
 #ifndef RECTRAY_REFERENCE_H
 #define RECTRAY_REFERENCE_H
 
+#include "scene/geometry.h"
+#include "scene/scene.h"
 #include "trace/accel.h"
 #include "trace/adaptive.h"
-#include "scene/geometry.h"
 #include "trace/recorder.h"
 #include "trace/render.h"
-#include "scene/scene.h"
 
 /* What the tracer works with. */
 typedef struct Tracer {
@@ -19,8 +19,8 @@ typedef struct Tracer {
     Path *path;               /* gets the faces of each sample's path; NULL: not wanted */
 } Tracer;
 
-/* The colour of one pixel (RGB, linear, averaged over the samples that it gets, not clamped). column in [0, columns), row in [0, rows),
- * row 0 at the top. */
+/* The colour of one pixel (RGB, linear, averaged over the samples that it gets, not clamped). column in [0, columns),
+ * row in [0, rows), row 0 at the top. */
 Vec3 reference_pixel(const Tracer *tracer, int column, int row);
 
 /* The colour of one sample of a pixel: sub-column i and sub-row j of the grid, both in [0, grid). */

@@ -6,7 +6,8 @@
 
 #include <string.h>
 
-void reference_cast(const Scene *scene, const Accel *accel, const double *rays, long count, CastHit *hits, RenderReport *report)
+void reference_cast(const Scene *scene, const Accel *accel, const double *rays, long count, CastHit *hits,
+                    RenderReport *report)
 {
     double start = clock_ms();
     Tracer tracer = {.scene = scene, .accel = accel, .report = report};

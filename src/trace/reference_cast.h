@@ -6,6 +6,7 @@
 #include "trace/render.h"
 
 /* Intersects `count` rays, six doubles each (origin, direction) in scene coordinates, with the scene's faces. */
-void reference_cast(const Scene *scene, const Accel *accel, const double *rays, long count, CastHit *hits, RenderReport *report);
+void reference_cast(const Scene *scene, const Accel *accel, const double *rays, long count, CastHit *hits,
+                    RenderReport *report);
 
 #endif

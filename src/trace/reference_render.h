@@ -2,10 +2,12 @@
 #ifndef RECTRAY_REFERENCE_RENDER_H
 #define RECTRAY_REFERENCE_RENDER_H
 
-#include "trace/render.h"
 #include "scene/scene.h"
+#include "trace/render.h"
 
-/* Renders the scene; the bytes do not depend on the number of threads. False with an Error when memory or the sink fails. */
-bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report, Error *error);
+/* Renders the scene; the bytes do not depend on the number of
+ * threads. False with an Error when memory or the sink fails. */
+bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
+                      Error *error);
 
 #endif

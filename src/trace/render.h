@@ -35,12 +35,12 @@ typedef struct Notice {
 typedef struct RenderSettings {
     Precision precision; /* of the kernel; the reference is always double */
     AccelKind accel;
-    int threads;         /* 0: one per processor */
-    int device;          /* number in the list of `rectray devices`; -1: the default */
-    int lanes;           /* rays per work-item: 1, 4, 8 or 16; 0: what suits the device */
-    unsigned no_skip;    /* bit SKIP_...: that work is done although the scene does not need it */
+    int threads;      /* 0: one per processor */
+    int device;       /* number in the list of `rectray devices`; -1: the default */
+    int lanes;        /* rays per work-item: 1, 4, 8 or 16; 0: what suits the device */
+    unsigned no_skip; /* bit SKIP_...: that work is done although the scene does not need it */
     Notice notice;
-    double *linear;      /* rows * columns * 3 colours, which a backend fills before they are clamped; NULL: not wanted */
+    double *linear; /* rows * columns * 3 colours, which a backend fills before they are clamped; NULL: not wanted */
 } RenderSettings;
 
 typedef struct RayCounts {
@@ -49,27 +49,28 @@ typedef struct RayCounts {
 
 /* What a backend measured; zero where it has nothing to tell. Times are milliseconds of wall clock. */
 typedef struct RenderReport {
-    double build_ms;    /* acceleration structures */
+    double build_ms; /* acceleration structures */
     double upload_ms;
-    double device_ms;   /* finding and opening the device */
-    double compile_ms;  /* building the kernel */
+    double device_ms;  /* finding and opening the device */
+    double compile_ms; /* building the kernel */
     double trace_ms;
     double readback_ms;
     RayCounts rays;
     uint64_t box_tests, face_tests;
-    uint64_t refined_pixels; /* by adaptive sampling: those that got more than their centre */
+    uint64_t refined_pixels;      /* by adaptive sampling: those that got more than their centre */
     uint64_t skipped[SKIP_KINDS]; /* what was left out, by kind: skips.h says in what it is counted */
-    uint64_t device_bytes;   /* of the scene and its tree in the device's memory */
+    uint64_t device_bytes;        /* of the scene and its tree in the device's memory */
     int lanes, threads;
-    AccelKind accel;         /* the one used */
+    AccelKind accel; /* the one used */
     char device[128];
     char build_options[320];
 } RenderReport;
 
-/* Receives finished rows: rgb holds rows * columns * 3 bytes. Bands come from the top, without gaps. `so_far` tells what
- * the backend has done up to this band. Returns false, with the error filled, to stop the rendering. */
+/* Receives finished rows: rgb holds rows * columns * 3 bytes. Bands come from the top, without gaps. `so_far` tells
+ * what the backend has done up to this band. Returns false, with the error filled, to stop the rendering. */
 typedef struct BandSink {
-    bool (*band)(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far, Error *error);
+    bool (*band)(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
+                 Error *error);
     void *user;
 } BandSink;
 

@@ -1,5 +1,5 @@
-/* The names of what is left out, and the closed boxes of a scene. They are certain for every ray, however it is rounded: the
- * sides of a box are compared as the numbers that they are. */
+/* The names of what is left out, and the closed boxes of a scene. They are certain for every ray, however it is
+ * rounded: the sides of a box are compared as the numbers that they are. */
 #include "trace/skip.h"
 
 #include <string.h>
@@ -20,7 +20,10 @@ const SkipText skip_texts[SKIP_KINDS] = {
     [SKIP_TREE] = {"tree", "skipped: tree"},
 };
 
-bool skip_wanted(const RenderSettings *settings, int skip) { return !(settings->no_skip & 1u << skip); }
+bool skip_wanted(const RenderSettings *settings, int skip)
+{
+    return !(settings->no_skip & 1u << skip);
+}
 
 /* --- Closed boxes --- */
 
@@ -48,8 +51,8 @@ static Extent extent_of(const Face *faces)
     return e;
 }
 
-/* The axis that the face is across, if it is a whole side of the extent with its normal outwards: 2 axis for the low side, one
- * more for the high one; -1 if it is none. */
+/* The axis that the face is across, if it is a whole side of the extent with its normal outwards: 2 axis for the low
+ * side, one more for the high one; -1 if it is none. */
 static int side_of(const Extent *e, const Face *face, const Plane *plane)
 {
     unsigned corners = 0;
@@ -65,7 +68,8 @@ static int side_of(const Extent *e, const Face *face, const Plane *plane)
         }
         corners |= 1u << corner;
     }
-    static const unsigned sides[BOX_FACES] = {0x55, 0xaa, 0x33, 0xcc, 0x0f, 0xf0}; /* the corners with that coordinate */
+    /* For each side the corners with its coordinate. */
+    static const unsigned sides[BOX_FACES] = {0x55, 0xaa, 0x33, 0xcc, 0x0f, 0xf0};
     const double normal[3] = {plane->normal.x, plane->normal.y, plane->normal.z};
     for (int side = 0; side < BOX_FACES; side++)
         if (corners == sides[side])

@@ -10,7 +10,8 @@
 
 typedef struct Traversal Traversal;
 
-/* A node that the traversal came to: entered, or left aside because the ray misses it or reaches it beyond the limit. */
+/* A node that the traversal came to: entered, or left aside
+ * because the ray misses it or reaches it beyond the limit. */
 typedef struct TraversalNode {
     int node, level; /* the root's level is 0 */
     int faces;       /* in a leaf; 0 in an inner node */
@@ -19,7 +20,7 @@ typedef struct TraversalNode {
 
 struct Traversal {
     Vec3 origin, direction;
-    double limit; /* boxes that the ray enters beyond this t are left out */
+    double limit;                                  /* boxes that the ray enters beyond this t are left out */
     bool (*visit)(Traversal *traversal, int face); /* may lower the limit; returns false to end the traversal */
     void (*node)(const Traversal *traversal, TraversalNode visit); /* NULL: nobody listens */
     void *user;

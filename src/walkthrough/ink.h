@@ -39,8 +39,8 @@ InkText ink_vector(Vec3 v, int digits);
 /* A name for a text or a terminal: at most `columns` characters, none of them for control, in UTF-8. */
 InkText ink_name(const char *name, int columns);
 
-/* Prints a line, printf-like. Where it would pass the last column it is broken at a tab, and goes on under the first " = "
- * before all tabs, or a little indented where there is none; other tabs are blanks. */
+/* Prints a line, printf-like. Where it would pass the last column it is broken at a tab, and goes on under the first
+ * " = " before all tabs, or a little indented where there is none; other tabs are blanks. */
 void ink_line(const Ink *ink, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 2, 3)))

@@ -1,5 +1,5 @@
-/* Records one pixel. A face that a ray does not hit is counted and forgotten, unless all shall be told, so that a scene of
- * a hundred thousand faces leaves a list no longer than a scene of six. */
+/* Records one pixel. A face that a ray does not hit is counted and forgotten, unless all shall be told, so that a scene
+ * of a hundred thousand faces leaves a list no longer than a scene of six. */
 #include "walkthrough/walkthrough.h"
 
 #include "trace/adaptive.h"
@@ -8,13 +8,8 @@
 #include <stdlib.h>
 
 const char *const walkthrough_face_verdicts[] = {
-    [FACE_PARALLEL] = "parallel",
-    [FACE_BEHIND] = "behind",
-    [FACE_BACK] = "back",
-    [FACE_FARTHER] = "farther",
-    [FACE_OUTSIDE] = "outside",
-    [FACE_INSIDE] = "inside",
-    [FACE_LEFT] = "left",
+    [FACE_PARALLEL] = "parallel", [FACE_BEHIND] = "behind", [FACE_BACK] = "back", [FACE_FARTHER] = "farther",
+    [FACE_OUTSIDE] = "outside",   [FACE_INSIDE] = "inside", [FACE_LEFT] = "left",
 };
 const char *const walkthrough_light_verdicts[] = {
     [LIGHT_BEHIND_FACE] = "behind face",
@@ -28,11 +23,8 @@ const char *const walkthrough_path_ends[] = {
     [PATH_MAX_BOUNCES] = "max bounces",
 };
 const char *const walkthrough_adaptive_reasons[] = {
-    [ADAPTIVE_SAME] = "same",
-    [ADAPTIVE_EDGE] = "edge",
-    [ADAPTIVE_FACE] = "face",
-    [ADAPTIVE_SHADOW] = "shadow",
-    [ADAPTIVE_HIGHLIGHT] = "highlight",
+    [ADAPTIVE_SAME] = "same",     [ADAPTIVE_EDGE] = "edge",           [ADAPTIVE_FACE] = "face",
+    [ADAPTIVE_SHADOW] = "shadow", [ADAPTIVE_HIGHLIGHT] = "highlight",
 };
 
 /* --- Recording --- */
@@ -138,8 +130,8 @@ static void record(void *user, const Event *event)
     }
     if (event->kind == EVENT_SAMPLE)
         walk->found |= walk->telling = is_told(request, event);
-    bool always = event->kind == EVENT_ADAPTIVE || event->kind == EVENT_SAMPLE ||
-                  event->kind == EVENT_PATH_END || event->kind == EVENT_PIXEL;
+    bool always = event->kind == EVENT_ADAPTIVE || event->kind == EVENT_SAMPLE || event->kind == EVENT_PATH_END ||
+                  event->kind == EVENT_PIXEL;
     if (!walk->telling && !always)
         return;
     if (event->kind == EVENT_NODE) {
@@ -159,18 +151,20 @@ static void record(void *user, const Event *event)
 bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *accel, const char *scene_name,
                         WalkthroughRequest request, Error *error)
 {
-    *walk = (Walkthrough){.scene = scene, .scene_name = scene_name, .request = request, .grid = scene->grid, .tally = -1};
+    *walk =
+        (Walkthrough){.scene = scene, .scene_name = scene_name, .request = request, .grid = scene->grid, .tally = -1};
     RenderReport report = {0};
     Recorder recorder = {record, walk};
     Tracer tracer = {.scene = scene, .accel = accel, .report = &report, .recorder = &recorder};
     reference_pixel(&tracer, request.column, request.row);
     if (walk->failed)
         return error_memory(error, "the walkthrough");
-    return walk->found || error_set(error, ERROR_USAGE,
-                                    "--sample %d,%d: adaptive sampling traces one sample in each column of pixel %d,%d, in column %d "
-                                    "that of row %d; with --sampling uniform it is %d x %d",
-                                    request.i, request.j, request.column, request.row, request.i,
-                                    request.i * adaptive_generator(walk->grid) % walk->grid, scene->grid, scene->grid);
+    return walk->found ||
+           error_set(error, ERROR_USAGE,
+                     "--sample %d,%d: adaptive sampling traces one sample in each column of pixel %d,%d, in column %d "
+                     "that of row %d; with --sampling uniform it is %d x %d",
+                     request.i, request.j, request.column, request.row, request.i,
+                     request.i * adaptive_generator(walk->grid) % walk->grid, scene->grid, scene->grid);
 }
 
 void walkthrough_free(Walkthrough *walk)

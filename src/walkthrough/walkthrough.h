@@ -1,14 +1,14 @@
 /* The walkthrough of one pixel: what the reference tracer told while it traced it, as a list of events. The formats
- * (walkthrough_text.c and its like) read the list from the beginning to its end; a WalkthroughPlace follows them, so that each
- * knows which ray, hit and light an event speaks of. To add a format, see
+ * (walkthrough_text.c and its like) read the list from the beginning to its end; a WalkthroughPlace follows them, so
+ * that each knows which ray, hit and light an event speaks of. To add a format, see
  * walkthrough_formats.h. */
 #ifndef RECTRAY_WALKTHROUGH_H
 #define RECTRAY_WALKTHROUGH_H
 
-#include "trace/accel.h"
 #include "base/error.h"
-#include "trace/recorder.h"
 #include "scene/scene.h"
+#include "trace/accel.h"
+#include "trace/recorder.h"
 
 #include <stdio.h>
 
@@ -26,7 +26,7 @@ typedef struct Walkthrough {
     const Scene *scene;     /* borrowed */
     const char *scene_name; /* borrowed; as the user gave it */
     WalkthroughRequest request;
-    int grid;               /* the pixel has grid x grid samples; refined by adaptive sampling, grid of them */
+    int grid; /* the pixel has grid x grid samples; refined by adaptive sampling, grid of them */
     Event *events;
     long count, capacity;
     /* While recording: */

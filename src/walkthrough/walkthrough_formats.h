@@ -1,11 +1,16 @@
-/* The formats of a walkthrough, one file each. They write to a stream, whose errors the caller looks at. To add one: its
- * writer's file, and its name here and in the two tables of walkthrough_formats.c. */
+/* The formats of a walkthrough, one file each. They write to a stream, whose errors the caller looks at. To add one:
+ * its writer's file, and its name here and in the two tables of walkthrough_formats.c. */
 #ifndef RECTRAY_WALKTHROUGH_FORMATS_H
 #define RECTRAY_WALKTHROUGH_FORMATS_H
 
 #include "walkthrough/walkthrough.h"
 
-typedef enum WalkthroughFormat { WALKTHROUGH_TEXT, WALKTHROUGH_JSON, WALKTHROUGH_OBJ, WALKTHROUGH_SVG } WalkthroughFormat;
+typedef enum WalkthroughFormat {
+    WALKTHROUGH_TEXT,
+    WALKTHROUGH_JSON,
+    WALKTHROUGH_OBJ,
+    WALKTHROUGH_SVG
+} WalkthroughFormat;
 
 /* What users call them; ends in a NULL. */
 extern const char *const walkthrough_format_words[];

@@ -1,8 +1,8 @@
-/* The walkthrough as JSON: one document with what holds for the whole scene, then the events, one a line, in the order in
- * which they happened. Events are printed as they are made, so that the longest list takes no memory of its own.
+/* The walkthrough as JSON: one document with what holds for the whole scene, then the events, one a line, in the order
+ * in which they happened. Events are printed as they are made, so that the longest list takes no memory of its own.
  * docs/walkthrough.schema.json describes every member. */
-#include "walkthrough/walkthrough_json_event.h"
 #include "walkthrough/walkthrough_formats.h"
+#include "walkthrough/walkthrough_json_event.h"
 
 /* Prints the object on one line and deletes it. */
 static void print_object(FILE *out, cJSON *object, bool *failed)

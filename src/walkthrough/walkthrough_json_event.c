@@ -76,7 +76,8 @@ static void put_hit(JsonNode node, const Scene *scene, const WalkthroughPlace *p
     json_node_vector(node, "point", walkthrough_world(scene, event->as.hit.point));
     json_node_vector(node, "normal", event->as.hit.normal);
     json_node_vector(node, "shifted", walkthrough_world(scene, event->as.hit.shifted));
-    json_node_number(node, "shift", vec3_dot(event->as.hit.normal, vec3_sub(event->as.hit.shifted, event->as.hit.point)));
+    json_node_number(node, "shift",
+                     vec3_dot(event->as.hit.normal, vec3_sub(event->as.hit.shifted, event->as.hit.point)));
     JsonNode vertices = json_node_array(node, "vertices"), edges = json_node_array(node, "edges");
     for (int k = 0; k < face->vertex_count; k++) {
         WalkthroughEdge edge = walkthrough_edge(face, k, event->as.hit.point);
@@ -100,7 +101,8 @@ static void put_light(JsonNode node, const Scene *scene, const WalkthroughPlace 
     json_node_vector(node, "light_minus_v0", vec3_sub(event->as.light.position, face_vertex(face, 0)));
     json_node_number(node, "height", event->as.light.height);
     json_node_number(node, "side", event->as.light.side);
-    json_node_number(node, "n_dot_l", event->as.light.side == 0 ? 0 : vec3_dot(place->hit->as.hit.normal, event->as.light.l));
+    json_node_number(node, "n_dot_l",
+                     event->as.light.side == 0 ? 0 : vec3_dot(place->hit->as.hit.normal, event->as.light.l));
     json_node_vector(node, "shadow_origin", walkthrough_world(scene, event->as.light.shadow_origin));
 }
 
@@ -178,9 +180,9 @@ static void put_pixel(JsonNode node, const Event *event)
 
 /* --- All of them --- */
 
-static const char *const kinds[EVENT_KIND_COUNT] = {"adaptive",  "sample",   "face",     "node",      "hit",   "miss",
-                                                    "light",     "occluder", "light end", "terms", "shaded",
-                                                    "reflected", "path end", "pixel",     "tally"};
+static const char *const kinds[EVENT_KIND_COUNT] = {"adaptive", "sample",    "face",     "node",      "hit",
+                                                    "miss",     "light",     "occluder", "light end", "terms",
+                                                    "shaded",   "reflected", "path end", "pixel",     "tally"};
 
 cJSON *walkthrough_event_json(const Walkthrough *walk, const WalkthroughPlace *place, const Event *event, bool *failed)
 {

@@ -2,8 +2,8 @@
 #ifndef RECTRAY_WALKTHROUGH_JSON_EVENT_H
 #define RECTRAY_WALKTHROUGH_JSON_EVENT_H
 
-#include "json/json_node.h"
 #include "walkthrough/walkthrough.h"
+#include "json/json_node.h"
 
 /* The caller deletes the object. *failed is set when memory is wanting. */
 cJSON *walkthrough_event_json(const Walkthrough *walk, const WalkthroughPlace *place, const Event *event, bool *failed);

@@ -38,7 +38,8 @@ static void draw_hit(Drawing *drawing, WalkthroughLineKind kind, const Event *ev
     Vec3 tip = vec3_add(point, vec3_scale(NORMAL_LENGTH * length, event->as.hit.normal));
     draw(drawing, (WalkthroughLine){.kind = kind, .from = place->ray.origin, .to = point, .hit = hit, .face = face});
     draw(drawing, (WalkthroughLine){.kind = LINE_NORMAL, .from = point, .to = tip, .hit = hit, .face = face});
-    draw(drawing, (WalkthroughLine){.kind = LINE_SHIFT, .from = point, .to = event->as.hit.shifted, .hit = hit, .face = face});
+    draw(drawing,
+         (WalkthroughLine){.kind = LINE_SHIFT, .from = point, .to = event->as.hit.shifted, .hit = hit, .face = face});
 }
 
 static void draw_miss(const Drawing *drawing, WalkthroughLineKind kind)

@@ -1,6 +1,6 @@
 /* The walkthrough as an SVG drawing: the scene and the path in two orthographic views, the two that show most of it.
- * The hits are P1, P2, ... as in the text. Primary and reflected rays are solid, shadow rays thin, and those that a face
- * stops dashed up to the light that they do not reach. */
+ * The hits are P1, P2, ... as in the text. Primary and reflected rays are solid, shadow rays thin, and those that a
+ * face stops dashed up to the light that they do not reach. */
 #include "walkthrough/ink.h"
 #include "walkthrough/svg_view.h"
 #include "walkthrough/walkthrough_formats.h"
@@ -18,10 +18,8 @@ static const SvgBox panels[2] = {{60, 90, 535, 500}, {605, 90, 1080, 500}};
 static const struct {
     const char *name, *colour, *width;
 } strokes[] = {
-    [LINE_PRIMARY] = {"primary", "#1f5fa8", "2.4"},
-    [LINE_REFLECTED] = {"reflected", "#b5449a", "2.4"},
-    [LINE_SHADOW] = {"shadow", "#c98a00", "1.4"},
-    [LINE_BLOCKED] = {"blocked", "#c0392b", "1.4;stroke-dasharray:6 5"},
+    [LINE_PRIMARY] = {"primary", "#1f5fa8", "2.4"}, [LINE_REFLECTED] = {"reflected", "#b5449a", "2.4"},
+    [LINE_SHADOW] = {"shadow", "#c98a00", "1.4"},   [LINE_BLOCKED] = {"blocked", "#c0392b", "1.4;stroke-dasharray:6 5"},
     [LINE_NORMAL] = {"normal", "#3a9a5b", "1.6"},
 };
 

@@ -30,8 +30,9 @@ static void print_verdict(const WalkthroughText *text, const AdaptiveVerdict *ve
     int hit = verdict->hit + 1, light = verdict->light;
     switch (verdict->reason) {
     case ADAPTIVE_SAME:
-        ink_paragraph(&text->ink, "Sampling is adaptive: all rays of this pixel meet the same faces and the same lights as "
-                                  "the one through its centre, which alone makes the pixel.");
+        ink_paragraph(&text->ink,
+                      "Sampling is adaptive: all rays of this pixel meet the same faces and the same lights as "
+                      "the one through its centre, which alone makes the pixel.");
         return;
     case ADAPTIVE_EDGE:
         why = ink_text("an edge of the face %s, which the centre meets at P%d, may cross it", face.text, hit);
@@ -66,8 +67,9 @@ static void print_head(const WalkthroughText *text)
     if (walk->count > 0 && walk->events[0].kind == EVENT_ADAPTIVE)
         print_verdict(text, &walk->events[0].as.adaptive);
     int n = walk->grid;
-    InkText samples = scene->adaptive ? ink_text("%d samples, one in each column and each row of a grid of %d x %d", n, n, n)
-                                      : ink_text("%d x %d samples", n, n);
+    InkText samples = scene->adaptive
+                          ? ink_text("%d samples, one in each column and each row of a grid of %d x %d", n, n, n)
+                          : ink_text("%d x %d samples", n, n);
     if (n > 1)
         ink_paragraph(ink,
                       "The pixel is the average of %s. Told in full is sample (%d, %d), in column %d and "
@@ -159,9 +161,10 @@ static void print_miss(WalkthroughText *text, const Event *event)
 
 static void print_next_face(WalkthroughText *text, int number)
 {
-    walkthrough_text_step(text, ink_text(number == 1 ? "The nearest face along the ray" : "The nearest face in the mirror at P%d",
-                             number - 1)
-                        .text);
+    walkthrough_text_step(
+        text,
+        ink_text(number == 1 ? "The nearest face along the ray" : "The nearest face in the mirror at P%d", number - 1)
+            .text);
     if (number > 1)
         return;
     ink_paragraph(&text->ink,

@@ -27,10 +27,10 @@ static void print_sum(const WalkthroughText *text, const Event *path_end)
             InkText label = ink_text("P%d", count + 1);
             rows[count++] =
                 ink_row(ink_text("%-10s  weight %-10s", label.text, ink_number(event->as.shaded.weight, 6).text),
-                         event->as.shaded.contribution);
+                        event->as.shaded.contribution);
         } else if (event->kind == EVENT_MISS) {
             rows[count++] = ink_row(ink_text("background  weight %-10s", ink_number(event->as.miss.weight, 6).text),
-                                     event->as.miss.weight_times_background);
+                                    event->as.miss.weight_times_background);
         }
     }
     rows[count++] = ink_row(ink_text("sum"), path_end->as.path_end.colour);
@@ -60,7 +60,7 @@ static void print_samples(const WalkthroughText *text, int samples)
             sample = event;
         else if (event->kind == EVENT_PATH_END)
             rows[count++] = ink_row(ink_text("sample (%d, %d)", sample->as.sample.i, sample->as.sample.j),
-                                     event->as.path_end.colour);
+                                    event->as.path_end.colour);
     }
     if (list)
         ink_rows(&text->ink, rows, count);
