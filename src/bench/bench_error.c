@@ -11,7 +11,7 @@
 #include <stdlib.h>
 
 static const int GRIDS[] = {1, 2, 3, 4, 6, 8, 12, 16};
-enum { GRID_COUNT = sizeof GRIDS / sizeof GRIDS[0], BASE_GRID = 4, PIXELS = 160 * 120, CAUSE_GRID = 16 };
+enum { GRID_COUNT = sizeof GRIDS / sizeof GRIDS[0], BASE_GRID = 4, PIXELS = 160 * 120 };
 
 #define LONGEST_MS 5000.0 /* a choice that is expected to take longer is left out */
 #define REPEAT_MS 1000.0  /* one that takes longer is run once */
@@ -155,46 +155,6 @@ static void find_front(BenchError *result)
     }
 }
 
-/* --- Causes --- */
-
-enum { PLAIN, BYTES, EXACT, SHALLOW, DEEP, PICTURES };
-
-static bool trace_causes(BenchPicture *pictures, const Scene *scene, const BenchPlan *plan, Error *error)
-{
-    Scene whole = *scene;
-    RenderSettings plain = plan->settings, exact = plan->settings;
-    whole.shading.max_bounces = SCENE_MAX_BOUNCES;
-    plain.precision = PRECISION_FLOAT;
-    exact.precision = PRECISION_DOUBLE;
-    return bench_picture(&pictures[PLAIN], scene, BACKEND_OPENCL, &plain, error) &&
-           bench_picture(&pictures[BYTES], scene, BACKEND_OPENCL, &plain, error) &&
-           bench_picture(&pictures[EXACT], scene, BACKEND_OPENCL, &exact, error) &&
-           bench_picture_fine(&pictures[SHALLOW], scene, CAUSE_GRID, &exact, error) &&
-           bench_picture_fine(&pictures[DEEP], &whole, CAUSE_GRID, &exact, error);
-}
-
-static bool find_causes(ErrorCauses *causes, const Scene *scene, const BenchGroundTruth *truth, const BenchPlan *plan,
-                        Error *error)
-{
-    BenchPicture pictures[PICTURES] = {{0}};
-    bool ok = trace_causes(pictures, scene, plan, error);
-    if (ok) {
-        BenchPicture *deep = &pictures[DEEP];
-        bench_picture_quantise(&pictures[BYTES]);
-        causes->arithmetic = bench_difference(&pictures[PLAIN], &pictures[EXACT]).rmse;
-        causes->sampling = bench_difference(&pictures[EXACT], &truth->picture).rmse;
-        causes->truncation = bench_difference(&pictures[SHALLOW], deep).rmse;
-        causes->output = bench_difference(&pictures[BYTES], &pictures[PLAIN]).rmse;
-        /* The truth of 64 bounces: that of the scene's, and what the others add. */
-        for (size_t i = 0; i < (size_t)deep->columns * (size_t)deep->rows * 3; i++)
-            deep->rgb[i] += truth->picture.rgb[i] - pictures[SHALLOW].rgb[i];
-        causes->all = bench_difference(&pictures[BYTES], deep).rmse;
-    }
-    for (int i = 0; i < PICTURES; i++)
-        bench_picture_free(&pictures[i]);
-    return ok;
-}
-
 /* --- All of it --- */
 
 /* The scene's own shape in PIXELS pixels or so. */
@@ -236,7 +196,7 @@ static bool measure(BenchError *result, const Scene *scene, const BenchPlan *pla
     for (int i = 0; i < result->choice_count && ok; i++)
         ok = measure_error(result, i, scene, &truth, plan, error);
     ok = ok && measure_times(result, scene, plan, times, error) &&
-         find_causes(&result->causes, scene, &truth, plan, error);
+         bench_error_find_causes(&result->causes, scene, &truth, plan, error);
     bench_ground_truth_free(&truth);
     if (ok)
         find_front(result);

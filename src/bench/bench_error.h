@@ -4,6 +4,7 @@
 #define RECTRAY_BENCH_ERROR_H
 
 #include "bench/bench.h"
+#include "bench/bench_error_causes.h"
 #include "bench/bench_picture.h"
 
 enum { ERROR_MAX_CHOICES = 128, ERROR_MAX_SCENES = 16 };
@@ -36,11 +37,6 @@ typedef struct ErrorChoice {
     int better; /* a choice that is faster and, within 1 %, as accurate; -1: none, it is on the Pareto front */
 } ErrorChoice;
 
-/* RMSE of one step of the default's way to a picture, the others as they are: see bench_error. */
-typedef struct ErrorCauses {
-    double arithmetic, sampling, truncation, output, all;
-} ErrorCauses;
-
 typedef struct BenchError {
     BenchScene scene;
     int faces, bounces;
@@ -53,11 +49,7 @@ typedef struct BenchError {
 
 /* Measures every choice for the scene; one that is settled in size and grid, see bench_error_settle. Times are taken in
  * rounds, each choice once a round, so that all see the same load; what takes over a second is run once, what would
- * take over five is left out.
- *
- * The causes, for the OpenCL backend in float with the scene's sampling and bounces:
- * arithmetic, float against double on the same rays; sampling, double against the truth; truncation, the scene's
- * bounces against 64; output, linear colours against their bytes; all, the bytes against the truth of 64 bounces. */
+ * take over five is left out. */
 bool bench_error(BenchError *result, const BenchScene *scene, const BenchPlan *plan, Error *error);
 
 /* Where no size is wanted: the scene's own shape in about 160 x 120 pixels. Where no grid is: the scene's. */

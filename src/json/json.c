@@ -2,6 +2,7 @@
 #include "json/json.h"
 
 #include "base/text.h"
+#include "json/json_find.h"
 #include "json/json_scan.h"
 
 #include <stdarg.h>

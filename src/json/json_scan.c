@@ -252,30 +252,3 @@ JsonFault json_scan(const char *text, long length)
     }
     return scan.fault;
 }
-
-static const char *string_end(const char *at)
-{
-    for (at++; *at != '"'; at++)
-        if (*at == '\\')
-            at++;
-    return at + 1;
-}
-
-JsonToken json_find_value(const char *text, long values_before)
-{
-    JsonToken token = {.key = NULL};
-    for (const char *at = text;;) {
-        at += strspn(at, " \t\r\n,:]}");
-        const char *end = *at == '"'                 ? string_end(at)
-                          : *at == '{' || *at == '[' ? at + 1
-                                                     : at + strcspn(at, " \t\r\n,]}");
-        if (*at == '"' && *skip_blanks(end) == ':') {
-            token.key = at;
-        } else if (values_before-- == 0) {
-            token.value = at;
-            return token;
-        } else
-            token.key = NULL;
-        at = end;
-    }
-}

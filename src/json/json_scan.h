@@ -18,12 +18,4 @@ typedef struct JsonFault {
  * beyond a double's range or longer than JSON_MAX_NUMBER, no nesting deeper than JSON_MAX_DEPTH. */
 JsonFault json_scan(const char *text, long length);
 
-/* A value, and its key's opening quote (NULL in a list). */
-typedef struct JsonToken {
-    const char *value, *key;
-} JsonToken;
-
-/* The value that begins after `values_before` others, in a text that json_scan accepts. */
-JsonToken json_find_value(const char *text, long values_before);
-
 #endif

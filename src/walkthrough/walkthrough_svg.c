@@ -2,6 +2,7 @@
  * The hits are P1, P2, ... as in the text. Primary and reflected rays are solid, shadow rays thin, and those that a
  * face stops dashed up to the light that they do not reach. */
 #include "walkthrough/ink.h"
+#include "walkthrough/svg_extent.h"
 #include "walkthrough/svg_view.h"
 #include "walkthrough/walkthrough_formats.h"
 #include "walkthrough/walkthrough_lines.h"
@@ -9,8 +10,6 @@
 #include <string.h>
 
 enum { WIDTH = 1100, LIGHTS_MAX = 100, FACES_MAX = 5000, CAPTIONS_TOP = 592, CAPTION_HEIGHT = 19, CAPTIONS_MAX = 8 };
-
-#define FAR_LIGHT 1.5 /* farther from the path than so many of its sizes, a light is outside the window */
 
 static const SvgBox panels[2] = {{60, 90, 535, 500}, {605, 90, 1080, 500}};
 
@@ -22,66 +21,6 @@ static const struct {
     [LINE_SHADOW] = {"shadow", "#c98a00", "1.4"},   [LINE_BLOCKED] = {"blocked", "#c0392b", "1.4;stroke-dasharray:6 5"},
     [LINE_NORMAL] = {"normal", "#3a9a5b", "1.6"},
 };
-
-/* --- What must be seen --- */
-
-typedef struct Extent {
-    Vec3 low, high;
-    double lengths[SVG_DIRECTION_COUNT]; /* of the lines, as each view shows them */
-    double farthest_light;               /* from the first hit; lights beyond are not looked at */
-} Extent;
-
-static void include(Extent *extent, Vec3 p)
-{
-    extent->low = vec3(fmin(extent->low.x, p.x), fmin(extent->low.y, p.y), fmin(extent->low.z, p.z));
-    extent->high = vec3(fmax(extent->high.x, p.x), fmax(extent->high.y, p.y), fmax(extent->high.z, p.z));
-}
-
-static void measure_line(Extent *extent, Vec3 from, Vec3 to)
-{
-    include(extent, from);
-    include(extent, to);
-    for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++) {
-        SvgPoint a = svg_flatten(k, from), b = svg_flatten(k, to);
-        extent->lengths[k] += hypot(b.x - a.x, b.y - a.y);
-    }
-}
-
-/* The path itself; of a ray that leaves the scene the first part. */
-static void measure_path(void *user, const WalkthroughLine *line)
-{
-    Vec3 way = vec3_sub(line->to, line->from);
-    if (line->kind == LINE_PRIMARY || line->kind == LINE_REFLECTED)
-        measure_line(user, line->from, vec3_add(line->from, vec3_scale(line->leaves ? 0.4 : 1, way)));
-}
-
-static void measure_light(void *user, const WalkthroughLine *line)
-{
-    Extent *extent = user;
-    bool shadow = line->kind == LINE_SHADOW || line->kind == LINE_BLOCKED;
-    if (shadow && vec3_length(vec3_sub(line->to, line->from)) <= extent->farthest_light)
-        measure_line(extent, line->from, line->to);
-}
-
-static Extent measure(const Walkthrough *walk)
-{
-    Vec3 camera = walkthrough_world(walk->scene, walk->scene->camera.position);
-    Extent extent = {.low = camera, .high = camera};
-    walkthrough_lines(walk, measure_path, &extent);
-    extent.farthest_light = FAR_LIGHT * vec3_length(vec3_sub(extent.high, extent.low));
-    walkthrough_lines(walk, measure_light, &extent);
-    return extent;
-}
-
-/* The view that shows least of the path is left out. */
-static SvgDirection least_telling(const Extent *extent)
-{
-    SvgDirection least = SVG_FROM_FRONT;
-    for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++)
-        if (extent->lengths[k] < extent->lengths[least] * (1 - 1e-9))
-            least = k;
-    return least;
-}
 
 /* --- A panel --- */
 
@@ -141,7 +80,7 @@ static void draw_mark(void *user, const WalkthroughLine *line)
     svg_mark(view, line->to, line->from, ink_text(words, line->light).text, "#a87400");
 }
 
-static void draw_panel(FILE *out, const Walkthrough *walk, SvgDirection direction, SvgBox box, const Extent *extent)
+static void draw_panel(FILE *out, const Walkthrough *walk, SvgDirection direction, SvgBox box, const SvgExtent *extent)
 {
     Painter painter = {.walk = walk};
     SvgPoint a = svg_flatten(direction, extent->low), b = svg_flatten(direction, extent->high);
@@ -252,8 +191,8 @@ bool walkthrough_write_svg(FILE *out, const Walkthrough *walk, WalkthroughStyle 
 {
     (void)style;
     (void)error;
-    Extent extent = measure(walk);
-    SvgDirection left_out = least_telling(&extent);
+    SvgExtent extent = svg_extent_of(walk);
+    SvgDirection left_out = svg_extent_least_shown(&extent);
     draw_head(out, walk);
     int panel = 0;
     for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++)
