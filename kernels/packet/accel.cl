@@ -1,12 +1,13 @@
-/* How faces are found: the tree of a scene, as the host has built it. */
+/* How faces are found. All of them are asked, or those in the leaves of a tree that the rays meet. */
 #include "shared/precision.cl"
 
-/* How faces are found, a build option: all are asked, or those in the leaves of a tree. */
+/* The values of the build option ACCEL. */
 #define ACCEL_NONE 0
 #define ACCEL_BVH 1
 #define ACCEL_KDTREE 2
 
+/* The reach of rays that have no hit yet. */
 #define REACH_ALL ((real)1e30f)
 
-/* Of a search that is not cut. */
+/* The budget of a search that is not interrupted. */
 #define NO_BUDGET 0xffffffffu

@@ -1,4 +1,4 @@
-/* No tree: one leaf with all faces. */
+/* No tree: one leaf holds all faces, and a bundle needs no bounds. */
 #include "shared/compiler.cl"
 #include "shared/precision.cl"
 #include "packet/apex.cl"

@@ -1,5 +1,5 @@
-/* The nearest faces of one packet of rays from a list. Rays from one point are searched like those of a tile; any others exactly,
- * face by face. */
+/* The nearest faces of one packet of rays from a list. Rays from one point are searched like those of a tile; any
+ * others exactly, face by face. */
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "packet/accel.cl"
@@ -37,7 +37,8 @@ static Hit find_nearest_of_any_rays(const World *world, const Ray *ray, Mask act
 static Mask same_origin(const Ray *ray)
 {
     WideVec o = ray->origin;
-    return TO_MASK(IS(o.x == (Wide)first_wide(o.x)) & IS(o.y == (Wide)first_wide(o.y)) & IS(o.z == (Wide)first_wide(o.z)));
+    wide first[3] = {first_wide(o.x), first_wide(o.y), first_wide(o.z)};
+    return TO_MASK(IS(o.x == (Wide)first[0]) & IS(o.y == (Wide)first[1]) & IS(o.z == (Wide)first[2]));
 }
 
 /* The nearest faces of rays that all start at one point. */

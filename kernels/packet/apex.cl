@@ -1,8 +1,13 @@
-/* Rays through one point, the apex: the eye, an image of the eye in mirrors, or a light, from which shadow rays are told.
- * Seen from it, edge k of a face has the moment m = (v[k] - A) x (v[k+1] - v[k]), and a ray passes inside if all m . R have
- * one sign, without a hit point: three multiplications an edge. Its depth is as cheap, as 1/t = N.R / N.(v[0] - A).
- * What is within the error bounds of either is settled by geometry.cl and exact.cl.
- * docs/algorithm.md derives the bounds. */
+/* Rays through one point, the apex A: the eye, an image of the eye in a mirror, or a light, from which shadow rays are
+ * traced.
+ *
+ *     once per face:  m[k] = (v[k] - A) x (v[k+1] - v[k]) for each edge k,   n = N / N.(v[0] - A)
+ *     for each ray:   inside if all m[k].R have one sign,   1/t = n.R
+ *
+ * The nearest face is the one with the largest 1/t. An edge takes three multiplications, and there is neither a hit
+ * point nor a division. With tiles of 8 x 8 pixels that are searched together, this took a third from the time of
+ * `original`, and a quarter from that of city-1k. Both values have error bounds, which docs/bounds.md derives in "Rays
+ * through one point". intersect.cl decides what is within them. docs/kernels.md, section 4. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -12,9 +17,9 @@
 
 typedef struct Apex {
     real x, y, z;
-    real spread; /* no ray's line passes farther than this from the point */
+    real spread; /* no ray's line passes the exact point at a larger distance */
     real length; /* no ray's direction is longer */
-    real off;    /* twice how far the lines pass from x, y, z */
+    real off;    /* twice the largest distance from x, y, z at which lines pass */
     real edge_share, edge_off, edge_floor; /* what FaceSetup.edge_error is made of */
 } Apex;
 
@@ -24,21 +29,22 @@ INLINE Apex apex_at(const wide *point, real spread, real length)
     wide rounded = fabs(point[0] - (wide)a.x) + fabs(point[1] - (wide)a.y) + fabs(point[2] - (wide)a.z);
     a.off = 2 * (spread + (real)rounded) + REAL_FLOOR;
     a.edge_share = 16 * REAL_ROUNDING * length;
-    a.edge_off = length * (a.off + 4 * REAL_ROUNDING * (fabs(a.x) + fabs(a.y) + fabs(a.z))); /* the latter for closed boxes */
+    real closed_boxes = 4 * REAL_ROUNDING * (fabs(a.x) + fabs(a.y) + fabs(a.z));
+    a.edge_off = length * (a.off + closed_boxes);
     a.edge_floor = (1 + length) * REAL_FLOOR;
     return a;
 }
 
 /* The rays of a packet that come from an apex. */
 typedef struct OriginPacket {
-    Vec ahead;     /* from the apex along the ray: its direction; of a shadow ray the unit vector from the light */
-    Lanes per_end; /* of a shadow ray: 1/t of its point; t is in units of `ahead`, from the apex */
-    Lanes slack;   /* of a shadow ray: so many times a face's error bounds cover the errors of its direction and end, too */
+    Vec ahead;     /* the direction R; of a shadow ray the unit vector from the light */
+    Lanes per_end; /* of a shadow ray: 1/t of its point */
+    Lanes slack;   /* of a shadow ray: so many times a face's error bounds cover its own errors, too */
     Mask active;   /* the lanes that take part in the search */
     Mask from;     /* the face that each ray leaves, which it does not hit again; -1: none */
 } OriginPacket;
 
-/* Of a packet without active rays. */
+/* A packet without active rays. */
 INLINE OriginPacket no_origin_packet(void)
 {
     OriginPacket p = {{(Lanes)0, (Lanes)0, (Lanes)0}, (Lanes)0, (Lanes)1, (Mask)0, (Mask)-1};
@@ -58,22 +64,22 @@ INLINE void aim_from_light(OriginPacket *p, const wide *light, WideVec point)
 #define SLACK_OF(share) (1 + (share) * (real)(0.25f / REAL_ROUNDING))
 #define SHARE_OF(slack) (((slack) - 1) * (4 * REAL_ROUNDING))
 
-/* A face as it is seen from an apex. */
+/* A face as seen from an apex. */
 typedef struct FaceSetup {
-    real x[4], y[4], z[4]; /* the edges' moments, turned so that all m . R > 0 for a ray that meets the face ahead */
-    real nx, ny, nz;       /* N / N.(v[0] - A) */
-    real edge_error;       /* of m . ahead */
+    real x[4], y[4], z[4]; /* the m[k], turned so that all m[k].R > 0 for a ray that meets the face ahead */
+    real nx, ny, nz;       /* n */
+    real edge_error;       /* of m[k].R */
     real depth_error;      /* of 1/t */
-    bool with_normal;      /* rays that hit it come from behind its normal */
-    bool closed;           /* it is of a closed box of which every other face is left out */
+    bool with_normal;      /* rays that hit it go along its normal: they come from behind */
+    bool closed;           /* it belongs to a closed box, of which faces are culled */
 } FaceSetup;
 
-/* (v[k] - A) x (v[k+1] - v[k]) of the four edges. */
+/* The m[k] of the four edges. */
 typedef struct EdgeMoments {
     real4 x, y, z;
 } EdgeMoments;
 
-/* x, y, z: of all v[k] - A. */
+/* x, y, z: the coordinates of all v[k] - A. */
 INLINE EdgeMoments edge_moments(global const real *row, real4 x, real4 y, real4 z)
 {
     real4 vx = of_vertices(row, 0), vy = of_vertices(row, 1), vz = of_vertices(row, 2);
@@ -82,12 +88,16 @@ INLINE EdgeMoments edge_moments(global const real *row, real4 x, real4 y, real4 
     return m;
 }
 
-typedef enum Visibility { CULLED, VISIBLE, UNCERTAIN } Visibility;
+typedef enum Visibility {
+    CULLED,   /* no ray from the apex hits the face */
+    VISIBLE,  /* it is set up */
+    UNCERTAIN /* the apex is so close to the face's plane that rounding may decide */
+} Visibility;
 
-/* `towards`: the rays travel to the apex, not from it; one-sided faces let those through that come from behind the normal.
- * `outside`: the rays start and end outside of closed boxes, of which every other face is left out then: backs from the eye, from
- * a light the faces that are turned to it.
- * CULLED: no ray from the apex hits it. UNCERTAIN: the apex is so close to its plane that rounding may decide. */
+/* Sets up face i for rays from an apex. row: of the face. reversed: the rays travel to the apex, not from it.
+ * One-sided faces let rays through that come from behind the normal. cull_boxes: the rays start and end outside of
+ * closed boxes. Half of a box's faces are culled then: its backs as seen from the eye; as seen from a light, the faces
+ * that are turned to it. */
 INLINE Visibility setup_face(const Apex *a, global const real *row, bool reversed, bool cull_boxes, FaceSetup *f)
 {
     uint bits = face_bits(row);
@@ -123,9 +133,10 @@ INLINE Visibility setup_face(const Apex *a, global const real *row, bool reverse
     return VISIBLE;
 }
 
+/* The dot product of the rays' directions with one vector. */
 INLINE Lanes along(Vec ahead, real x, real y, real z) { return FMA(ahead.x, x, FMA(ahead.y, y, ahead.z * z)); }
 
-/* The least m . ahead of the four edges. */
+/* The least m[k].R of the four edges. */
 INLINE Lanes least_edge(Vec ahead, const REREAD FaceSetup *f)
 {
     Lanes s0 = along(ahead, f->x[0], f->y[0], f->z[0]), s1 = along(ahead, f->x[1], f->y[1], f->z[1]);

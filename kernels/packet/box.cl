@@ -1,4 +1,6 @@
-/* Where rays are in the bounding box of a face. */
+/* Where rays are in the bounding box of a face (Kay and Kajiya, "Ray Tracing Complex Scenes", 1986). The t of a hit is
+ * clamped to that part of the ray: a ray that grazes a face which rounding has warped may meet its plane outside the
+ * face. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -10,7 +12,7 @@ typedef struct Interval {
     Wide enter, leave;
 } Interval;
 
-/* Narrows the interval to between two planes across an axis, as interval_between in box.c, bit for bit. */
+/* Narrows the interval to between two planes across an axis, as interval_between in src/scene/box.c, bit for bit. */
 INLINE void cross_planes(Interval *interval, wide low, wide high, Wide origin, Wide direction)
 {
     const wide slack = 8 * WIDE_ROUNDING;

@@ -1,6 +1,15 @@
-/* A walk through a bounding volume hierarchy whose nodes have NODE_WIDTH children, tested LANES at a time.
- * Tree.floats holds, per node, 6 planes (low x, high x, low y, ...) of all children, Tree.ints the children: see NO_CHILD and
- * LEAF in layout.h. The device has the faces in the order of the leaves. */
+/* The traversal of a bounding volume hierarchy (Wald, "On Fast Construction of SAH-Based Bounding Volume Hierarchies",
+ * 2007) with wide nodes (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
+ * BVHs", 2017).
+ *
+ *     take the nearest node from the stack
+ *     a leaf: its faces are next
+ *     a node: test the boxes of its NODE_WIDTH children, LANES at a time
+ *             push those that the bundle may meet, the nearest on top
+ *
+ * World.tree_floats has 6 planes for each node (low x, high x, low y, ...), each of all children side by side.
+ * World.tree_ints has the children: NO_CHILD and LEAF in layout.h. The device has the faces in the order of the
+ * leaves. With this tree instead of every face, `gallery` took 1.5 s instead of 13.4. docs/kernels.md, section 7. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -9,13 +18,14 @@
 #include "packet/ray_bounds.cl"
 #include "packet/world.cl"
 
-/* Nodes to visit, the nearest on top. */
+/* Nodes and leaves to visit, the nearest on top. enter: the t at which the bundle enters it. */
 typedef struct Stack {
     int node[STACK_SIZE];
     real enter[STACK_SIZE];
     int count;
 } Stack;
 
+/* Keeps what is above `floor` in order. */
 INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
 {
     int i = stack->count++;
@@ -27,8 +37,8 @@ INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
     stack->enter[i] = enter;
 }
 
-/* Which of LANES children, from the given one, the bundle may meet, as bits; and where it enters them. culled: those of them
- * that it need not. */
+/* Which of LANES children, from number `part` on, the bundle may meet, as bits; and where it enters them. culled: the
+ * children that it may meet, but that are culled sides of boxes. */
 INLINE uint children_met(const World *world, const RayBounds *b, int node, int part, Lanes *enter, uint *culled)
 {
     IntLanes children = LOAD(world->tree_ints + (size_t)node * NODE_WIDTH + part), key = LEAF_KEY(children);
@@ -39,8 +49,8 @@ INLINE uint children_met(const World *world, const RayBounds *b, int node, int p
     Lanes leave = (Lanes)b->reach;
     *enter = (Lanes)0;
     for (int axis = 0; axis < 3; axis++)
-        cross_slab(b->slabs[axis], LOAD_FLOATS(boxes + 2 * axis * NODE_WIDTH), LOAD_FLOATS(boxes + (2 * axis + 1) * NODE_WIDTH),
-                   enter, &leave);
+        cross_slab(b->slabs[axis], LOAD_FLOATS(boxes + 2 * axis * NODE_WIDTH),
+                   LOAD_FLOATS(boxes + (2 * axis + 1) * NODE_WIDTH), enter, &leave);
     Mask met = IS(*enter <= GROWN(leave)) & ~none;
     *culled = mask_bits(met & back);
     return mask_bits(met & ~back);
@@ -58,13 +68,18 @@ INLINE bool misses_all(const World *world, const RayBounds *b)
     return true;
 }
 
+INLINE void fetch_leaf(const World *world, int leaf)
+{
+    fetch(world->edges + (size_t)LEAF_FIRST(leaf) * FACE_REALS, (uint)LEAF_COUNT(leaf) * FACE_REALS * sizeof(real));
+}
+
 INLINE void fetch_node(const World *world, int node)
 {
     fetch(world->tree_floats + (size_t)node * (6 * NODE_WIDTH), 6 * NODE_WIDTH * sizeof(float));
     fetch(world->tree_ints + (size_t)node * NODE_WIDTH, NODE_WIDTH * sizeof(int));
 }
 
-/* Puts the children that the bundle may meet on the stack. Returns how many faces it left out. */
+/* Puts the children that the bundle may meet on the stack. Returns how many faces it culled. */
 INLINE uint push_children(const World *world, const RayBounds *b, int node, Stack *stack)
 {
     global const int *children = world->tree_ints + (size_t)node * NODE_WIDTH;
@@ -82,7 +97,7 @@ INLINE uint push_children(const World *world, const RayBounds *b, int node, Stac
             int i = lowest_bit(met);
             int child = children[part + i];
             if (child < 0)
-                fetch(world->edges + (size_t)LEAF_FIRST(child) * FACE_REALS, (uint)LEAF_COUNT(child) * FACE_REALS * sizeof(real));
+                fetch_leaf(world, child);
             else
                 fetch_node(world, child);
             stack_insert(stack, floor, child, enters[i]);
@@ -91,6 +106,7 @@ INLINE uint push_children(const World *world, const RayBounds *b, int node, Stac
     return faces_culled;
 }
 
+/* The way from the root. */
 INLINE Stack stack_of(const World *world, const RayBounds *b)
 {
     Stack stack;
@@ -100,20 +116,21 @@ INLINE Stack stack_of(const World *world, const RayBounds *b)
     return stack;
 }
 
-/* Puts back the leaf that was taken last. */
+/* Puts back the leaf that next_leaf gave last. */
 INLINE void push_back(Stack *stack) { stack->count++; }
 
-/* For rays whose t has another unit. */
+/* The stack goes to rays whose t has another unit. */
 INLINE void forget_distances(Stack *stack)
 {
     for (int i = 0; i < stack->count; i++)
         stack->enter[i] = 0;
 }
 
+/* The face at place i of the leaves. */
 INLINE int face_in_leaf(const World *world, int i) { return i; }
 
-/* The next leaf that the bundle, of so many rays, meets, nearest first: its faces are first .. first + count - 1. False: there is
- * none. */
+/* The next leaf that the bundle of so many rays may meet, roughly the nearest first: the places first .. first + count
+ * - 1. False: there is none. */
 INLINE bool next_leaf(const World *world, const RayBounds *b, uint rays, Stack *stack, int *first, int *count)
 {
     while (stack->count > 0) {

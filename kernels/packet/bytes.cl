@@ -1,9 +1,9 @@
-/* Colours as bytes. */
+/* Colours as bytes: the nearest of 256 levels. */
 #include "shared/compiler.cl"
 #include "shared/precision.cl"
 #include "packet/lanes.cl"
 
-/* floor(255 c + 0.5) of the clamped colour, as in light.c. */
+/* floor(255 c + 0.5) of the clamped colour, as in src/scene/light.c. */
 INLINE IntLanes colour_to_byte(Lanes c)
 {
     c = c > (Lanes)0 ? c : (Lanes)0;
@@ -11,7 +11,7 @@ INLINE IntLanes colour_to_byte(Lanes c)
     return TO_INT((real)255 * c + (real)0.5); /* at least 0: cutting off is floor */
 }
 
-/* The same of one number. */
+/* The same for one number. */
 INLINE uchar value_to_byte(real c)
 {
     c = c > 0 ? c : 0;

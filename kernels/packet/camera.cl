@@ -8,11 +8,12 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* A packet is PACKET_COLUMNS x PACKET_ROWS = LANES pixels; a tile, whose rays are searched together, is PACKETS of them,
- * PACKETS_ACROSS side by side, as the host's build options say. */
+/* A packet is PACKET_COLUMNS x PACKET_ROWS = LANES pixels; a tile, whose rays are searched together, is PACKETS of
+ * them, PACKETS_ACROSS side by side, as the host's build options say. */
 enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PACKETS_ACROSS * PACKET_ROWS };
 
-/* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. Area 0 of a block is all of it, 1 to 4 are its quarters. */
+/* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. Area 0 of a block is all of it, 1 to 4 are its
+ * quarters. */
 enum { BLOCK_AREAS = BLOCK_ACROSS > 1 ? 5 : 1 };
 enum { BLOCK_COLUMNS = BLOCK_ACROSS * TILE_COLUMNS, BLOCK_ROWS = BLOCK_ACROSS * TILE_ROWS };
 
@@ -146,8 +147,8 @@ INLINE Window window_of_area(const World *world, const Area *area)
     return w;
 }
 
-/* The rays of a window's corners. Each component of a direction rises or falls with either place, and so does its rounding: it
- * has its extremes there. */
+/* The rays of a window's corners. Each component of a direction rises or falls with either place, and so does its
+ * rounding: it has its extremes there. */
 INLINE Frustum camera_frustum(const Camera *c, const Window *window)
 {
     const wide *x = window->x, *y = window->y, *forward = c->forward, *right = c->right, *up = c->up;

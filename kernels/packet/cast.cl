@@ -1,4 +1,4 @@
-/* The kernel `cast`, which intersects a list of rays. Built only where that is asked for. */
+/* The kernel `cast`: the nearest faces of a list of rays, LANES of them for each work-item. */
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "packet/any_rays.cl"
@@ -8,7 +8,7 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* rays: ray_count x (origin, direction); hits_face, hits_t: one per ray, -1 and 0 for a miss. LANES rays per work-item. */
+/* rays: ray_count x (origin, direction). hits_face, hits_t: one for each ray; -1 and 0 for a miss. */
 kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                  global const wide *planes, global const wide *rays, global int *hits_face, global wide *hits_t,
                  volatile global uint *totals,

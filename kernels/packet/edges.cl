@@ -1,5 +1,12 @@
-/* Edges against lanes of rays. A fast test in `real` with a proved error bound settles nearly every lane;
- * the few that lie within the bound of an edge are settled by exact.cl. docs/algorithm.md derives the bounds. */
+/* Does a ray pass inside the edges of a face? (Kensler and Shirley, "Optimizing Ray-Triangle Intersection via
+ * Automated Search", 2006, have the same determinants.)
+ *
+ *     s[k] = det(R, v[k] - O, v[k+1] - O) for each edge k
+ *     inside along the normal: all s[k] >= 0;  inside against it: all s[k] <= 0
+ *
+ * A fast test in `real` has a proved error bound, which decides nearly every lane. exact.cl decides the few whose s[k]
+ * are within it. No hit point is needed, and no ray slips between two faces that share an edge. docs/bounds.md derives
+ * the bound in "The edge filter". */
 #include "shared/compiler.cl"
 #include "shared/exact.cl"
 #include "shared/layout.h"
@@ -9,12 +16,14 @@
 #include "packet/rays.cl"
 #include "packet/vectors.cl"
 
-/* Lanes against one face: which may pass inside, which certainly do, and on which side of the normal. */
+/* Rays against the edges of one face. */
 typedef struct EdgeTest {
-    Mask may, sure, with_normal;
+    Mask may;         /* lanes that may pass inside, */
+    Mask sure;        /* that certainly do, */
+    Mask with_normal; /* and that do along the normal */
 } EdgeTest;
 
-/* R.((v[k] - O) x (v[k+1] - v[k])) = det(R, v[k] - O, v[k+1] - O). a: v[k] - O; v: row + k, w: row + k + 1. */
+/* s[k] = R.(a x (v[k+1] - v[k])), which is the determinant above. a: v[k] - O; v: row + k, w: row + k + 1. */
 INLINE Lanes edge_function(Vec r, Vec a, global const real *v, global const real *w)
 {
     real x = w[0] - v[0], y = w[4] - v[4], z = w[8] - v[8];
@@ -43,7 +52,7 @@ INLINE EdgeTest test_edges(const RealRay *l, global const real *row)
     return test;
 }
 
-/* Settles the lanes that may pass inside but not surely. With `target` the rays are segments that end there. */
+/* Decides the lanes that may pass inside, but not surely. target: where all rays end; NULL: they have no end. */
 NOINLINE void resolve_edges_exactly(EdgeTest *test, global const real *row, const Ray *ray, const wide *target)
 {
     MaskElement may[LANES], sure[LANES], with_normal[LANES];

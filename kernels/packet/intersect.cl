@@ -1,6 +1,11 @@
-/* The two questions that a ray asks a scene: which face is nearest, and is anything between here and the light.
- * Here is what one face answers; in which order faces are asked is the business of walk.cl. Each question has two forms: one
- * for any rays, exact, and a fast one for rays from an apex, which leaves to the first what it is not sure of. */
+/* One face against a packet of rays: is it nearer than the nearest so far, and does it block a shadow ray? nearest.cl
+ * and shadow.cl choose the faces. Each question has a fast form, for rays from an apex, and an exact form, for any
+ * rays. The fast form computes in `real`, with error bounds:
+ *
+ *     beyond the bounds: the answer is certain
+ *     within them: the lane is uncertain, and asks the exact form
+ *
+ * So the picture does not depend on the bounds. They only say how often the exact form is asked. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -16,12 +21,12 @@
 
 /* --- Any rays, exactly --- */
 
-/* The nearest face so far, lane by lane. */
+/* The nearest faces so far. */
 typedef struct Hit {
     Wide t;
-    Wide t_in_box;    /* t, or the nearest t at which the ray is in the face's box; it decides what is nearest */
-    Mask face;        /* its place in the device's order, -1: none */
-    Mask index;       /* its place in the scene's order, which decides between equal t */
+    Wide t_in_box;    /* the t nearest to that one at which the ray is in the face's box: it decides what is nearest */
+    Mask face;        /* its place on the device; -1: none */
+    Mask index;       /* its place in the scene, which decides between equal t */
     Mask with_normal; /* N.R > 0: the ray came from behind the normal */
 } Hit;
 
@@ -31,7 +36,7 @@ INLINE Hit no_hit(void)
     return hit;
 }
 
-/* t of each active ray in the face's plane, and the t nearest to it at which the ray is in the face's box. */
+/* Where the active rays meet the plane of face i. ahead: the lanes whose ray meets the face's box. t_in_box: as Hit. */
 INLINE PlaneHit hit_in_box(const World *world, int i, const Ray *ray, WideMask active, Wide *t_in_box,
                            WideMask *ahead)
 {
@@ -47,7 +52,7 @@ INLINE PlaneHit hit_in_box(const World *world, int i, const Ray *ray, WideMask a
     return hit;
 }
 
-/* Asks face i in the active lanes; true if it is nearer in some lane. */
+/* Takes face i in those active lanes where it is nearer, exactly. True if there are any. */
 NOINLINE bool intersect_nearest(const World *world, const RealRay *real_ray, const Ray *ray, Mask active, int i,
                                 Hit *nearest)
 {
@@ -66,7 +71,7 @@ NOINLINE bool intersect_nearest(const World *world, const RealRay *real_ray, con
     Wide t_in_box;
     WideMask ahead;
     PlaneHit hit = hit_in_box(world, i, ray, TO_WIDE_MASK(edges.may), &t_in_box, &ahead);
-    /* The edges have told the sign of N.R. */
+    /* The signs of the edges are that of N.R, too. The ray starts on the other side. */
     ahead &= TO_WIDE_MASK(edges.with_normal) ? IS(hit.distance < (Wide)0) : IS(hit.distance > (Wide)0);
     Mask index = (Mask)world->faces[i].index;
     WideMask first = IS(t_in_box == nearest->t_in_box) & TO_WIDE_MASK(IS(index < nearest->index));
@@ -81,8 +86,8 @@ NOINLINE bool intersect_nearest(const World *world, const RealRay *real_ray, con
     return ANY(take);
 }
 
-/* Asks face i; the active lanes whose segment, from `point` to `target`, it blocks. The line is told the other way round: it
- * starts at the target. */
+/* The active lanes whose segment from `point` to `target` face i blocks, exactly. The edges are tested along the
+ * reversed ray, from the light, so that all lanes share an origin. */
 NOINLINE Mask intersect_segment(const World *world, const WideVec *point, const wide *target, Mask active, int i)
 {
     WideVec end = wide_of(target);
@@ -107,11 +112,11 @@ NOINLINE Mask intersect_segment(const World *world, const WideVec *point, const 
 
 /* --- Rays from an apex, fast --- */
 
-/* The nearest face so far, lane by lane. Depths are values of t, from the apex. */
+/* The nearest faces so far. t is measured from the apex. */
 typedef struct Nearest {
     Lanes low, high;    /* 1/t is between these; 0: no face yet */
-    Lanes begin, limit; /* the ray begins at this depth; 1/begin */
-    Mask face;          /* its place in the device's order, -1: none */
+    Lanes begin, limit; /* the t at which the ray begins; 1/begin */
+    Mask face;          /* its place on the device; -1: none */
     Mask with_normal;   /* N.R > 0: the ray came from behind the normal */
 } Nearest;
 
@@ -121,14 +126,13 @@ INLINE Nearest nothing_yet(void)
     return n;
 }
 
-/* What is known of the nearest faces, exactly, in the active lanes; -1 elsewhere. */
+/* The same faces as exact hits, in the active lanes. Elsewhere there is none. */
 static Hit exact_hit(const World *world, const Ray *ray, const Nearest *nearest, Mask active)
 {
     Hit hit = no_hit();
     for (Mask rest = active & IS(nearest->face >= (Mask)0); ANY(rest);) {
-        int face = first_of(nearest->face, rest);
-        Mask here = rest & IS(nearest->face == (Mask)face);
-        rest &= ~here;
+        int face;
+        Mask here = take_same(nearest->face, &rest, &face);
         WideMask wide_here = TO_WIDE_MASK(here), ahead;
         Wide t_in_box;
         PlaneHit at = hit_in_box(world, face, ray, wide_here, &t_in_box, &ahead);
@@ -141,7 +145,7 @@ static Hit exact_hit(const World *world, const Ray *ray, const Nearest *nearest,
     return hit;
 }
 
-/* Asks face i exactly in the lanes in uncertain; true if it is nearer in some. */
+/* Takes face i in those uncertain lanes where it is nearer, exactly. True if there are any. */
 NOINLINE bool resolve_nearest_exactly(const World *world, const Ray *ray, Mask uncertain, int i, Nearest *nearest)
 {
     RealRay l = real_ray(vec_to_real(ray->origin), vec_to_real(ray->direction));
@@ -157,8 +161,8 @@ NOINLINE bool resolve_nearest_exactly(const World *world, const Ray *ray, Mask u
     return true;
 }
 
-/* Of the lanes, those in which the ray passes so near to an edge of face i, or meets its plane so near to the nearest face, that
- * rounding might put the point on the other side. */
+/* The lanes in which rounding might make the back of a closed box as near as its front: the ray passes an edge of face
+ * i closely, or meets its plane close to the nearest face. */
 NOINLINE Mask near_tie(const World *world, const Ray *ray, Mask lanes, int i, const Nearest *nearest)
 {
 #if REAL_DOUBLE || HAS_DOUBLE
@@ -186,8 +190,8 @@ NOINLINE Mask near_tie(const World *world, const Ray *ray, Mask lanes, int i, co
 #endif
 }
 
-/* Asks face i; true if it is nearer in some lane. Comparisons are such that NaN, from overflow, is a uncertain. near_ties: collects the
- * lanes in which rounding decides, or might make the back of a closed box as near as its front. */
+/* Takes face i where it is nearer. True if there are such lanes. near_ties: collects the lanes of near_tie.
+ * The comparisons are such that NaN, which overflow makes, is uncertain. */
 INLINE bool intersect_nearest_from(const World *world, const OriginPacket *p, const Ray *ray, const FaceSetup *f,
                                    int i, Nearest *nearest, Mask *near_ties)
 {
@@ -217,7 +221,7 @@ INLINE bool intersect_nearest_from(const World *world, const OriginPacket *p, co
     return nearer;
 }
 
-/* Asks face i, seen from the light; the active lanes whose points it blocks. uncertain: those that only intersect_segment can tell. */
+/* The active lanes whose shadow rays face i blocks. uncertain: the lanes that intersect_segment has to decide. */
 INLINE Mask intersect_segment_from(const OriginPacket *p, const FaceSetup *f, int i, Mask *uncertain)
 {
     Lanes edge = least_edge(p->ahead, f), edge_error = p->slack * f->edge_error;

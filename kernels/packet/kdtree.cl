@@ -1,6 +1,11 @@
-/* A walk through a k-d tree: a plane cuts what is left of the bundle into the part on its low side and the part on its high
- * side. Tree.floats holds the box of the whole tree (6 planes: low x, high x, low y, ...), then each node's plane.
- * Tree.ints holds the place of the list of faces, then KD_INTS numbers for each node, then that list. */
+/* The traversal of a k-d tree (Wald and Havran, "On Building Fast kd-Trees for Ray Tracing", 2006).
+ *
+ *     take the nearest part of the bundle's way from the stack
+ *     a leaf: its faces are next
+ *     a node: its plane cuts the part in two; push both, the one that comes first on top
+ *
+ * World.tree_floats has the box of the whole tree (6 planes: low x, high x, low y, ...), then the plane of each node.
+ * World.tree_ints has the place of the list of faces, then KD_INTS numbers for each node, then that list. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -9,7 +14,7 @@
 #include "packet/ray_bounds.cl"
 #include "packet/world.cl"
 
-/* Parts of the bundle's way still to be walked, the nearest on top. */
+/* Parts of the bundle's way, the nearest on top: in which node, and between which t. */
 typedef struct Stack {
     int node[STACK_SIZE];
     real enter[STACK_SIZE], leave[STACK_SIZE];
@@ -28,7 +33,10 @@ INLINE void stack_push(Stack *stack, int node, Part part)
     stack->count++;
 }
 
-INLINE bool part_is_empty(const RayBounds *b, Part part) { return !(part.enter <= GROWN(part.leave)) || part.enter > b->reach; }
+INLINE bool part_is_empty(const RayBounds *b, Part part)
+{
+    return !(part.enter <= GROWN(part.leave)) || part.enter > b->reach;
+}
 
 /* The part on the low side of a plane. As in cross_slab, NaN narrows nothing. */
 INLINE Part below_plane(Slab s, real plane, Part part)
@@ -72,6 +80,7 @@ INLINE Part part_in_tree(const World *world, const RayBounds *b)
 /* Does the bundle miss all that is in the tree? */
 INLINE bool misses_all(const World *world, const RayBounds *b) { return part_is_empty(b, part_in_tree(world, b)); }
 
+/* The way through the whole tree. */
 INLINE Stack stack_of(const World *world, const RayBounds *b)
 {
     Stack stack;
@@ -80,10 +89,10 @@ INLINE Stack stack_of(const World *world, const RayBounds *b)
     return stack;
 }
 
-/* Puts back the leaf that was taken last. */
+/* Puts back the leaf that next_leaf gave last. */
 INLINE void push_back(Stack *stack) { stack->count++; }
 
-/* For rays whose t has another unit. */
+/* The stack goes to rays whose t has another unit. */
 INLINE void forget_distances(Stack *stack)
 {
     for (int i = 0; i < stack->count; i++) {
@@ -92,9 +101,10 @@ INLINE void forget_distances(Stack *stack)
     }
 }
 
+/* The face at place i of the leaves. A face may be in several. */
 INLINE int face_in_leaf(const World *world, int i) { return world->tree_ints[world->tree_ints[0] + i]; }
 
-/* The next leaf that the bundle meets, nearest first: its faces are those of first .. first + count - 1. False: there is
+/* The next leaf that the bundle may meet, the nearest first: the places first .. first + count - 1. False: there is
  * none. */
 INLINE bool next_leaf(const World *world, const RayBounds *b, uint rays, Stack *stack, int *first, int *count)
 {

@@ -1,11 +1,15 @@
-/* Lanes: LANES rays side by side in vector registers, one work-item for all of them.
- * LANES (1, 4, 8, 16) is a build option; one source serves them all. A CPU wants as many lanes as its registers hold, since
- * its compiler does not vectorise loops that differ between rays; a GPU wants 1. */
+/* Lanes: LANES rays lie side by side in vector registers, and one work-item traces all of them. LANES is a build
+ * option: 1, 4, 8 or 16. A CPU wants as many lanes as its registers hold, since its compiler does not vectorise loops
+ * that run differently for different rays. A GPU wants 1.
+ *
+ *     Lanes     a real of each ray              Wide      a wide of each ray
+ *     Mask      yes (all bits set) or no (0)    WideMask  the same, as wide as Wide
+ *
+ * `mask ? a : b` takes each lane from a or from b. A Mask also holds whole numbers: that of a face, for instance. */
 #include "shared/compiler.cl"
 #include "shared/precision.cl"
 
-/* One work-item holds PACKETS packets of LANES rays. Not unrolled: their code is long. */
-#define EACH_OF(p, count) __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < (count); p++)
+/* One work-item holds PACKETS packets of LANES rays. */
 #define EACH_PACKET(p) EACH_OF(p, PACKETS)
 
 #define PASTE_(a, b) a##b
@@ -14,7 +18,7 @@
 #if LANES == 1
 typedef real Lanes;
 typedef wide Wide;
-typedef int Mask; /* all bits set: yes, 0: no; also holds the number of a face */
+typedef int Mask;
 typedef int WideMask;
 typedef int IntLanes;
 #define TO_INT(x) ((int)(x))
@@ -104,12 +108,12 @@ INLINE Mask lane_numbers(void)
 #endif
 }
 
-/* One compare and one blend each; min() and max() of vectors cost twice that for their handling of NaN. */
+/* One comparison and one blend each. min() and max() of vectors cost twice that, since they treat NaN specially. */
 #define LESSER(a, b) ((a) < (b) ? (a) : (b))
 #define GREATER(a, b) ((a) > (b) ? (a) : (b))
 #define FMA(a, b, c) fma((Lanes)(a), (Lanes)(b), (Lanes)(c))
 
-/* A mask as bits, lane 0 the lowest. One instruction where the processor has it. */
+/* A mask as bits, lane 0 the lowest: one instruction where the processor has it. */
 #if defined(__AVX512DQ__) && __has_builtin(__builtin_ia32_cvtd2mask512) && __has_builtin(__builtin_ia32_cvtq2mask512)
 #define HAS_MOVEMASK 1
 #endif
@@ -139,10 +143,10 @@ static uint mask_bits(Mask mask)
 /* How many lanes of the mask are set. */
 static uint mask_count(Mask mask) { return popcount(mask_bits(mask)); }
 
-/* The number of the lowest bit that is set; there is one. */
+/* The number of the lowest bit that is set. There is one. */
 static int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
 
-/* The number in the first lane that is set in the mask. */
+/* The number in the first lane of the mask. There is one. */
 static int first_of(Mask numbers, Mask mask)
 {
     MaskElement n[LANES];
@@ -173,7 +177,7 @@ static wide wide_at(Wide x, int lane)
     return values[lane];
 }
 
-/* The lowest value of all lanes, by halves. */
+/* The lowest value of all lanes, by halves: with LESSER and mask_bits, that took a quarter from the time of gallery. */
 static real lanes_lowest(Lanes x)
 {
 #if LANES == 1
@@ -200,7 +204,7 @@ INLINE bool any_packet(const Mask *masks)
     return ANY(any);
 }
 
-/* The first packet that has a lane set; there is one. */
+/* The first packet that has a lane set. There is one. */
 INLINE int first_packet(const Mask *masks)
 {
     int first = 0;

@@ -1,4 +1,10 @@
-/* Lights, and what a face shows in them: the one place of the Blinn-Phong formula. */
+/* Lights, and what a face shows in one of them (Blinn, "Models of Light Reflection for Computer Synthesized Pictures",
+ * 1977):
+ *
+ *     I = ka ia + kd id (L.N) + ks is (N.H)^(alpha/4),   H = (L + V) / |L + V|
+ *
+ * This is the one place of the formula in the kernels: packets of rays and whole tiles are shaded by it.
+ * docs/algorithm.md, section 7. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -8,14 +14,14 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* A material in a light: the colours of the three terms. */
+/* A material in a light: what does not depend on the point. */
 typedef struct LightTerms {
-    real3 ambient, diffuse, specular;
-    real exponent;
-    bool has_highlight; /* false: the specular term is black, and left out */
+    real3 ambient, diffuse, specular; /* ka ia, kd id, ks is */
+    real exponent;                    /* alpha/4 */
+    bool has_highlight;               /* false: the specular term is black, and left out */
 } LightTerms;
 
-/* The colour of a material in a light, column by column of their rows. */
+/* The product of two colours: a material's and a light's. */
 INLINE real3 coloured(global const real *material, global const real *light)
 {
     return (real3)(material[0] * light[0], material[1] * light[1], material[2] * light[2]);
@@ -37,13 +43,13 @@ static Lanes at_least_zero(Lanes x) { return x > (Lanes)0 ? x : (Lanes)0; }
 
 INLINE Vec scale_colour(Lanes s, real3 c) { return vec(s * c.x, s * c.y, s * c.z); }
 
-/* What shows in the shadow of the light where its ambient term counts. */
+/* What shows in the shadow of a light whose ambient term counts there. */
 INLINE Vec shine_in_shadow(const LightTerms *terms)
 {
     return vec((Lanes)terms->ambient.x, (Lanes)terms->ambient.y, (Lanes)terms->ambient.z);
 }
 
-/* Blinn-Phong, as in src/scene/light.c. l, v: unit vectors to the light and to the viewer. */
+/* What shows in the light. l, v: unit vectors to the light and to the viewer. */
 INLINE Vec shine(const LightTerms *terms, Vec l, Vec v, Vec normal)
 {
     Lanes diffuse = at_least_zero(vec_dot(l, normal));
@@ -51,7 +57,8 @@ INLINE Vec shine(const LightTerms *terms, Vec l, Vec v, Vec normal)
     if (!terms->has_highlight)
         return sum;
     Vec half_way = vec_unit(vec_add(l, v));
-    return vec_add(sum, scale_colour(power(at_least_zero(vec_dot(normal, half_way)), terms->exponent), terms->specular));
+    Lanes highlight = power(at_least_zero(vec_dot(normal, half_way)), terms->exponent);
+    return vec_add(sum, scale_colour(highlight, terms->specular));
 }
 
 INLINE void light_position(global const real *light, wide *position)
@@ -60,7 +67,7 @@ INLINE void light_position(global const real *light, wide *position)
         position[axis] = (wide)light[LIGHT_POSITION + axis] + (wide)light[LIGHT_POSITION_LOW + axis];
 }
 
-/* Does it matter what a light reaches? Not if it has an ambient colour only, which counts in its shadow, too. */
+/* Does it matter what a light reaches? Not if it has an ambient colour only, and that counts in its shadow, too. */
 INLINE bool wants_light(const World *world, global const real *light)
 {
     bool only_ambient = true;

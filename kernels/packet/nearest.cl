@@ -7,9 +7,9 @@
  *         shorten the bounds to the farthest hit
  *     after NEAREST_BUDGET faces: each packet goes on by itself, where the group stopped
  *
- * The 64 rays of a tile share each visit of a node and each set-up of a face, which took a third from the time of the scene
- * `original`. Where faces are smaller than a pixel, sharing costs: without the budget, a city of 1.2 million faces took 1.5 times
- * as long. */
+ * The 64 rays of a tile share each visit of a node and each set-up of a face, which took a third from the time of the
+ * scene `original`. Where faces are smaller than a pixel, sharing costs: without the budget, a city of 1.2 million
+ * faces took 1.5 times as long. docs/kernels.md, section 8. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -26,7 +26,7 @@
 /* A group that has asked so many faces is cut into packets; tuned on the ladder of scenes. */
 enum { NEAREST_BUDGET = 16 };
 
-/* A search that can be interrupted: the faces that are still to be asked. */
+/* What an interrupted search has still to ask. */
 typedef struct Traversal {
     Stack stack; /* of the tree's nodes and leaves */
     int face;    /* one face to be asked before those; -1: none */
@@ -72,8 +72,9 @@ INLINE bool ask_packet(const World *world, const Group *g, int p, Visibility vis
     return resolve_nearest_exactly(world, g->rays + p, asked, i, g->nearest + p);
 }
 
-/* Finds the nearest faces ahead of the group's active lanes among those that are still to be asked. b: bounds of its rays.
- * cull_boxes: see setup_face. False: it stopped after more than `budget` faces, and the traversal holds the others. */
+/* Finds the nearest faces ahead of the group's active lanes among those that are still to be asked. b: bounds of its
+ * rays. cull_boxes: see setup_face. False: it stopped after more than `budget` faces, and the traversal holds the
+ * others. */
 INLINE bool traverse_nearest(const World *world, const Apex *a, const Group *g, RayBounds b, Traversal *traversal,
                              uint budget, bool cull_boxes)
 {
@@ -120,10 +121,10 @@ INLINE bool traverse_nearest(const World *world, const Apex *a, const Group *g, 
     return asked <= budget;
 }
 
-/* Finds the nearest faces of a whole tile: of all its packets together, then of single packets where a group stops, and then, for
- * the lanes that are uncertain, among all faces once more. bounds: of all rays. resume: a search to go on with; NULL: the whole
- * tree. Afterwards the packets' active lanes are no longer what they were.
- * There is one call in a loop, so that the search is compiled once. */
+/* Finds the nearest faces of a whole tile: of all its packets together, then of single packets where a group stops,
+ * and then, for the lanes that are uncertain, among all faces once more. bounds: of all rays. resume: a search to go
+ * on with; NULL: the whole tree. Afterwards the packets' active lanes are no longer what they were. There is one call
+ * in a loop, so that the search is compiled once. */
 INLINE void find_nearest_from(const World *world, const Apex *a, const Group *all, const RayBounds *bounds,
                               const Traversal *resume, bool cull_boxes)
 {

@@ -1,4 +1,10 @@
-/* The planes of faces against lanes of rays, in `wide`. */
+/* Where rays meet the planes of faces, and on which side of a plane points are, in `wide`.
+ *
+ *     t = -N.(O - v[0]) / N.R        height of a point P: N.(P - v[0])
+ *
+ * Each N.x is first computed in plain arithmetic, which has an error bound. Within the bound it is computed again with
+ * pairs of wides (Ogita, Rump and Oishi, "Accurate Sum and Dot Product", 2005), and where even that is not enough,
+ * exactly, by exact.cl. docs/bounds.md, section 3. */
 #include "shared/compiler.cl"
 #include "shared/exact.cl"
 #include "shared/layout.h"
@@ -8,14 +14,15 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* Is t wanted as exactly as `wide` can hold it? If not, plain arithmetic does, down to this share of its terms. */
+/* Whether t has to be as exact as `wide` can hold it. The float kernel with doubles needs less: plain arithmetic,
+ * unless N.x is below PLAIN_LIMIT times the sum of x's magnitudes. */
 #define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
 #define PLAIN_LIMIT (wide)0x1p-20f
 
 typedef struct PlaneRow {
-    wide x, y, z; /* N but for what rounding took */
-    wide low_x, low_y, low_z;
-    wide error, length;
+    wide x, y, z;             /* N, rounded */
+    wide low_x, low_y, low_z; /* what rounding took */
+    wide error, length;       /* PLANE_ERROR, PLANE_LENGTH */
 } PlaneRow;
 
 INLINE PlaneRow plane_row(const World *world, int face)
@@ -25,22 +32,26 @@ INLINE PlaneRow plane_row(const World *world, int face)
     return plane;
 }
 
+/* P - v[0]. */
 static WideVec from_vertex(global const real *row, WideVec point)
 {
     WideVec d = {point.x - (wide)row[0], point.y - (wide)row[4], point.z - (wide)row[8]};
     return d;
 }
 
-/* N.x in plain arithmetic. Its error is at most PLAIN_ERROR times the sum of x's magnitudes; in pairs, ACCURATE_ERROR. */
+/* N.x in plain arithmetic. Its error is at most PLAIN_ERROR times the sum of x's magnitudes. With pairs it is
+ * ACCURATE_ERROR. */
 static Wide normal_dot(const PlaneRow *plane, WideVec x) { return plane->x * x.x + plane->y * x.y + plane->z * x.z; }
 
 #define PLAIN_ERROR(plane) ((plane).error + 8 * WIDE_ROUNDING)
 #define ACCURATE_ERROR(plane) ((plane).error + 64 * WIDE_ROUNDING * WIDE_ROUNDING)
 
+/* The exact values are high + low. */
 typedef struct WidePair {
     Wide high, low;
 } WidePair;
 
+/* a + b and a b exactly, as two_sum and two_product in exact.cl do for one lane. */
 static WidePair wide_sum(Wide a, Wide b)
 {
     WidePair s;
@@ -59,11 +70,12 @@ static WidePair wide_product(Wide a, Wide b)
     return p;
 }
 
-/* A vector of which rounding left `high` and took `low`. */
+/* A vector: high + low. */
 typedef struct WidePairs {
     WideVec high, low;
 } WidePairs;
 
+/* P - v[0]. */
 static WidePairs from_vertex_exactly(global const real *row, WideVec point)
 {
     WidePair x = wide_sum(point.x, (Wide)(-(wide)row[0]));
@@ -73,8 +85,10 @@ static WidePairs from_vertex_exactly(global const real *row, WideVec point)
     return d;
 }
 
-/* The lanes in uncertain get M.x / |M| from exact arithmetic. */
-NOINLINE Wide resolve_dot_exactly(Wide value, global const real *row, wide length, const WidePairs *x, WideMask uncertain)
+/* Replaces N.x in the uncertain lanes by the exact M.x / |M|, where M is the cross product of the face's diagonals.
+ * length: |M|. */
+NOINLINE Wide resolve_dot_exactly(Wide value, global const real *row, wide length, const WidePairs *x,
+                                  WideMask uncertain)
 {
     wide v[LANES], high[3][LANES], low[3][LANES];
     WideMaskElement is_uncertain[LANES];
@@ -94,7 +108,7 @@ NOINLINE Wide resolve_dot_exactly(Wide value, global const real *row, wide lengt
     return LOAD(v);
 }
 
-/* N.x in twice the precision, as normal_dot in geometry.c. */
+/* N.x in twice the precision, as normal_dot_accurate in src/scene/geometry.c. */
 static WidePair normal_dot_accurate(const PlaneRow *plane, global const real *row, const WidePairs *x, WideMask active)
 {
     WideVec h = x->high, l = x->low;
@@ -114,7 +128,7 @@ static WidePair normal_dot_accurate(const PlaneRow *plane, global const real *ro
     return value;
 }
 
-/* N . (point - v0), its sign exact in every lane of `active`. */
+/* N.(point - v[0]). Its sign is exact in every active lane. */
 static Wide plane_distance(const World *world, int face, const PlaneRow *plane, WideVec point, WideMask active)
 {
     global const real *row = face_row(world, face);
@@ -127,6 +141,7 @@ static Wide plane_distance(const World *world, int face, const PlaneRow *plane, 
     return resolve_dot_exactly(value, row, plane->length, &exactly, uncertain);
 }
 
+/* M.(point - v[0]): the sign is that of the distance. */
 NOINLINE wide resolve_distance_exactly(global const real *row, const wide *point)
 {
     wide corner[3];
@@ -135,7 +150,7 @@ NOINLINE wide resolve_distance_exactly(global const real *row, const wide *point
     return cross_dot(row, &exactly);
 }
 
-/* The same for a point common to all lanes. */
+/* N.(point - v[0]) for one point of all lanes. Its sign is exact. */
 INLINE wide plane_distance_of_point(const World *world, int face, const wide *point)
 {
     global const real *row = face_row(world, face);
@@ -146,11 +161,13 @@ INLINE wide plane_distance_of_point(const World *world, int face, const wide *po
     return fabs(value) > bound ? value : resolve_distance_exactly(row, point);
 }
 
-/* Where a ray meets a plane. */
+/* Where rays meet a plane. */
 typedef struct PlaneHit {
-    Wide distance, t;
+    Wide distance; /* N.(O - v[0]) */
+    Wide t;
 } PlaneHit;
 
+/* t to half an ulp: one step of Newton's mends the quotient of the rounded values. */
 NOINLINE void plane_hit_accurate(PlaneHit *hit, const PlaneRow *plane, global const real *row, const WideVec *origin,
                                  const WideVec *direction, WideMask active)
 {
@@ -163,8 +180,9 @@ NOINLINE void plane_hit_accurate(PlaneHit *hit, const PlaneRow *plane, global co
     hit->t = -(IS(fabs(q) <= (Wide)WIDE_MAX) ? q + rest / approach.high : q);
 }
 
-/* Plain arithmetic in `wide` leaves an error of some 2^-50 |O - v0| in N.(O - v0) and of 2^-50 |R| in N.R, which is nothing
- * to a float unless the ray grazes the plane or starts close to it. There, and for t in double, it is done as in geometry.c. */
+/* Plain arithmetic leaves an error of some 2^-50 |O - v[0]| in N.(O - v[0]), and of 2^-50 |R| in N.R. That is nothing
+ * to a float, unless the ray starts close to the plane or grazes it. Those rays, and all rays in double, take the
+ * accurate way. */
 static PlaneHit plane_hit(const World *world, int face, const WideVec *origin, const WideVec *direction,
                           WideMask active)
 {
@@ -177,14 +195,14 @@ static PlaneHit plane_hit(const World *world, int face, const WideVec *origin, c
         hit.distance = normal_dot(&plane, x);
         hit.t = -hit.distance / approach;
         uncertain &= IS(fabs(hit.distance) <= PLAIN_LIMIT * wide_magnitudes(x)) |
-                 IS(fabs(approach) <= PLAIN_LIMIT * wide_magnitudes(*direction));
+                     IS(fabs(approach) <= PLAIN_LIMIT * wide_magnitudes(*direction));
     }
     if (ANY(TO_MASK(uncertain)))
         plane_hit_accurate(&hit, &plane, face_row(world, face), origin, direction, active);
     return hit;
 }
 
-/* The same for rays that have one origin. */
+/* The same for rays that start at one point. */
 static PlaneHit plane_hit_from_point(const World *world, int face, const WideVec *origin, const WideVec *direction,
                                      WideMask active)
 {

@@ -1,5 +1,7 @@
-/* Where rays meet their nearest faces, and the points shifted off them, in `wide`. A point is told when it is asked for: most
- * points serve shading alone, for which shade.cl has a sketch. */
+/* Exact hit points, in `wide`, and the points next to them at which shadow rays and reflected rays start. A point is
+ * computed when it is first needed: for most hits the approximate point of approx.cl is enough. Computing them only
+ * for those faces of a packet where a ray is uncertain took 7 % from the time of menger-4. docs/algorithm.md, section
+ * 6. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -11,7 +13,8 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* Moves P along n to where it is surely on n's side of the face's plane: see point_shifted in geometry.c. */
+/* Moves a point along n, the normal on the rays' side, to where it is surely on that side of the face's plane, and
+ * hardly farther: as point_shifted in src/scene/geometry.c. */
 static WideVec point_shifted(const World *world, int face, const PlaneRow *plane, WideVec n, WideMask with_normal,
                              WideVec point)
 {
@@ -32,7 +35,7 @@ static WideVec point_shifted(const World *world, int face, const PlaneRow *plane
     return wide_add(point, wide_scale(margin - height, n));
 }
 
-/* Where the rays meet the face. */
+/* Where the rays of the lanes `here` meet the face. */
 INLINE WideVec point_on(const World *world, const Ray *ray, bool from_eye, int face, Mask here)
 {
     WideMask wide_here = TO_WIDE_MASK(here);
@@ -41,13 +44,14 @@ INLINE WideVec point_on(const World *world, const Ray *ray, bool from_eye, int f
     return wide_add(ray->origin, wide_scale(t, ray->direction));
 }
 
+/* The points of a tile. */
 typedef struct LazyPoints {
     const World *world;
-    const Ray *rays;
+    const Ray *rays; /* of each packet, as the next two */
     const Nearest *nearest;
     const Mask *active;
-    bool from_eye; /* the rays have one origin */
-    Mask ready[PACKETS]; /* the lanes whose points are told */
+    bool from_eye;       /* the rays have one origin */
+    Mask ready[PACKETS]; /* the lanes whose points have been computed */
     WideVec point[PACKETS], shifted[PACKETS];
 } LazyPoints;
 
@@ -63,7 +67,8 @@ INLINE void begin_points(const World *world, LazyPoints *points, const Ray *rays
         points->ready[p] = (Mask)0;
 }
 
-/* Tells the points of those lanes of packet p, and of all active ones that meet the same faces, if they are not told yet. */
+/* Computes the points of those lanes of packet p that are not ready, and of all active lanes that meet the same
+ * faces. */
 NOINLINE void need_points(LazyPoints *points, int p, Mask lanes)
 {
     const World *world = points->world;
@@ -80,7 +85,7 @@ NOINLINE void need_points(LazyPoints *points, int p, Mask lanes)
         WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
         WideVec turned = wide_select(with_normal, wide_vec(-normal.x, -normal.y, -normal.z), normal);
         WideVec off = point_shifted(world, face, &plane, turned, with_normal, point);
-        if (first) { /* mostly there is one face */
+        if (first) { /* mostly there is one face: nothing to blend */
             points->point[p] = point;
             points->shifted[p] = off;
             continue;
@@ -91,32 +96,34 @@ NOINLINE void need_points(LazyPoints *points, int p, Mask lanes)
     }
 }
 
+/* The shifted points of packet p, ready in those lanes. */
 INLINE const WideVec *shifted_point(LazyPoints *points, int p, Mask lanes)
 {
     need_points(points, p, lanes);
     return points->shifted + p;
 }
 
-/* N of each lane's face, on the side that the ray came from. */
+/* N of each active lane's face, on the side that the ray came from. */
 static WideVec wide_normal(const World *world, const Nearest *nearest, Mask active)
 {
     WideVec normal = wide_vec((Wide)0, (Wide)0, (Wide)0);
     for (Mask rest = active; ANY(rest);) {
-        int face = first_of(nearest->face, rest);
-        Mask here = rest & IS(nearest->face == (Mask)face);
-        rest &= ~here;
+        int face;
+        Mask here = take_same(nearest->face, &rest, &face);
         global const wide *row = world->planes + (size_t)face * PLANE_REALS;
         normal = wide_select(TO_WIDE_MASK(here), wide_vec((Wide)row[0], (Wide)row[1], (Wide)row[2]), normal);
     }
     return wide_select(TO_WIDE_MASK(nearest->with_normal), wide_vec(-normal.x, -normal.y, -normal.z), normal);
 }
 
-/* The rays of packet p's active lanes after their faces have mirrored them, and the image of their apex. In double directions are
- * made unit vectors, as the reference does it; float leaves them as long as they are, and the image's camera has the same. */
+/* Replaces the rays of packet p's active lanes by those that their faces reflect, and their apex by its image. In
+ * double, directions are made unit vectors, as the reference does. In float they keep their length, as the camera's
+ * image does. */
 INLINE void reflect(LazyPoints *points, int p, Mask active, Ray *ray, WideVec *apex)
 {
     need_points(points, p, active);
-    WideVec r = PLAIN_IS_POOR ? wide_unit(ray->direction) : ray->direction, n = wide_normal(points->world, points->nearest + p, active);
+    WideVec r = PLAIN_IS_POOR ? wide_unit(ray->direction) : ray->direction;
+    WideVec n = wide_normal(points->world, points->nearest + p, active);
     ray->direction = wide_sub(r, wide_scale(2 * wide_dot(r, n), n));
     ray->origin = points->shifted[p];
     *apex = wide_sub(*apex, wide_scale(2 * wide_dot(wide_sub(*apex, points->point[p]), n), n));

@@ -1,11 +1,15 @@
-/* Powers, for highlights: in float 2^(y log2 x), by the polynomials of least relative error that Remez' algorithm gives (Muller,
- * "Elementary Functions", third edition, chapter 3). PoCL 3.1's log2 fetches a table's entries lane by lane. */
+/* Powers, for highlights (Muller, "Elementary Functions", third edition, chapter 3).
+ *
+ *     x^y = 2^(y log2 x)
+ *
+ * The logarithm and the power of 2 are polynomials of least relative error, which Remez' algorithm gives. PoCL's log2
+ * fetches entries of a table lane by lane: `original` took 8.8 ms with it, and 7.2 ms with these. */
 #include "shared/compiler.cl"
 #include "shared/precision.cl"
 #include "packet/lanes.cl"
 
 #if !REAL_DOUBLE
-/* log2 x = e + log2 m for m between 2/3 and 4/3, within 3e-8 of itself. x: at least FLT_MIN. */
+/* log2 x = e + log2 m, with m between 2/3 and 4/3. The relative error is at most 3e-8. x: at least FLT_MIN. */
 INLINE Lanes log2_of(Lanes x)
 {
     IntLanes bits = AS_INT(x), exponent = (bits - 0x3f2aaaab) >> 23;
@@ -21,10 +25,10 @@ INLINE Lanes log2_of(Lanes x)
     return FMA(f, p, INTS_TO_LANES(exponent));
 }
 
-/* 2^n 2^r for r between -1/2 and 1/2, within 2e-9 of itself. x: between -126 and 126. */
+/* 2^x = 2^n 2^r, with r between -1/2 and 1/2. The relative error is at most 2e-9. x: between -126 and 126. */
 INLINE Lanes exp2_of(Lanes x)
 {
-    const real shift = 0x1.8p23f; /* its sum with x is rounded to a whole number */
+    const real shift = 0x1.8p23f; /* the sum with it is rounded to a whole number */
     Lanes sum = x + shift, r = x - (sum - shift);
     Lanes p = FMA(r, 0.00015345812f, 0.0013399931f);
     p = FMA(r, p, 0.009618489f);
@@ -36,8 +40,9 @@ INLINE Lanes exp2_of(Lanes x)
 }
 #endif
 
-/* x to the power y for x 0, or from FLT_MIN to some ulps above 1, y >= 0; in float within 1.2e-7. In double lane by lane: PoCL
- * 3.1's pow of vectors of doubles is wrong, by up to infinity, where the lanes take different branches of it. */
+/* x^y for y >= 0, and x 0 or from FLT_MIN to some ulps above 1. In float the relative error is at most 1.2e-7. In
+ * double it is done lane by lane: PoCL 3.1's pow of vectors of doubles is wrong where the lanes take different
+ * branches of it. */
 static Lanes power(Lanes x, real y)
 {
 #if !REAL_DOUBLE

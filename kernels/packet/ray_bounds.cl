@@ -1,6 +1,11 @@
-/* Bundles of rays, for the trees: what bounds all of them on each axis, and where they may be between two planes.
- * A bundle visits a box when the intervals of its origins and directions allow some ray of it to meet the box
- * (interval traversal: Boulos, Wald, Benthin, "Adaptive Ray Packet Reordering", 2008, section 3). */
+/* Bounds of a bundle of rays, for the trees (interval traversal: Boulos, Wald, Benthin, "Adaptive Ray Packet
+ * Reordering", 2008, section 3).
+ *
+ *     on each axis: the interval of the origins, and that of the directions
+ *     the bundle visits a box if some ray within these intervals may meet it
+ *
+ * One test serves all rays of a tile. The wider the bundle, the more boxes it visits in vain. docs/kernels.md, section
+ * 6. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -10,33 +15,35 @@
 #include "packet/rays.cl"
 #include "packet/vectors.cl"
 
-/* What bounds all rays of a bundle on one axis, the directions scaled to a largest component of 1. */
+/* The bounds on one axis. Directions are scaled to a largest component of 1, but for rays from an apex. */
 typedef struct Slab {
     real origin_low, origin_high;
     real inverse_low, inverse_high; /* 1 / the lowest and the highest direction */
-    int sign;                       /* of all directions; 0: they differ */
+    int sign;                       /* of all directions; 0: they have several */
 } Slab;
 
 typedef struct RayBounds {
     Slab slabs[3];
-    real reach; /* no ray of the bundle goes farther than this */
-    int culled_sides[3]; /* for each axis: the SIDE_KEY of the sides of closed boxes that need not be asked */
+    real reach;          /* no ray goes farther than this t */
+    int culled_sides[3]; /* for each axis: the SIDE_KEY of the sides of closed boxes that are culled */
 } RayBounds;
 
-#define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING)) /* more than the rounding of what follows could take away */
+/* Larger by more than what the rounding of a few operations can take away. */
+#define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING))
 
+/* Of the active lanes. */
 INLINE real lowest(Lanes x, Mask active) { return lanes_lowest(active ? x : (Lanes)REACH_ALL); }
 INLINE real highest(Lanes x, Mask active) { return -lowest(-x, active); }
 
-/* From the lowest and highest origin and direction. */
+/* The bounds of rays between the lowest and the highest origin, and between the lowest and the highest direction. */
 INLINE Slab slab(real origin_low, real origin_high, real low, real high)
 {
     Slab s;
-    /* They have been rounded to real. */
+    /* The origins have been rounded to real. */
     s.origin_low = origin_low - 2 * REAL_ROUNDING * fabs(origin_low);
     s.origin_high = origin_high + 2 * REAL_ROUNDING * fabs(origin_high);
     s.sign = low > 0 ? 1 : high < 0 ? -1 : 0;
-    /* Directions that differ in sign, or are 0: those below 0 come from the high plane, those above from the low one. */
+    /* Where the signs differ, directions below 0 come from the high plane, and those above 0 from the low one. */
     s.inverse_low = s.sign != 0 || low < 0 ? 1 / low : -(real)INFINITY;
     s.inverse_high = s.sign != 0 || high > 0 ? 1 / high : (real)INFINITY;
     return s;
@@ -48,9 +55,9 @@ INLINE void bounds_keep_sides(RayBounds *b)
         b->culled_sides[axis] = NO_SIDE_KEY;
 }
 
-/* Leaves out the sides of closed boxes that all rays, outside of them, meet after another side: what is a back to all of them.
- * `towards`, as setup_face: the rays travel against the bundle, and of what they meet the first side is left out, not the last.
- * The signs of the bundle's directions are those of the rays themselves, to the last digit. */
+/* Culls the sides of closed boxes that all rays meet from behind: rays from outside the box meet another side first.
+ * reversed: the rays travel against the bundle, as for setup_face. The first side that they meet is culled then, not
+ * the last. This is exact: rounding does not change the sign of a direction. */
 INLINE void bounds_cull_sides(RayBounds *b, bool reversed)
 {
     for (int axis = 0; axis < 3; axis++) {
@@ -60,7 +67,7 @@ INLINE void bounds_cull_sides(RayBounds *b, bool reversed)
     }
 }
 
-/* Rays from an apex whose directions are between two, axis by axis. */
+/* Bounds of rays from an apex whose directions lie between two, axis by axis. */
 INLINE RayBounds bounds_within(const Apex *a, const real *low, const real *high)
 {
     real at[3] = {a->x, a->y, a->z};
@@ -72,7 +79,7 @@ INLINE RayBounds bounds_within(const Apex *a, const real *low, const real *high)
     return b;
 }
 
-/* Rays from an apex. spread: no component of an exact direction is farther from the packets'. */
+/* Bounds of the packets' active rays from an apex. spread: the largest error of a component of a direction. */
 INLINE RayBounds bounds_from(const Apex *a, const OriginPacket *packets, int packet_count, real spread)
 {
     Lanes all = (Lanes)REACH_ALL, low[3] = {all, all, all}, high[3] = {-all, -all, -all};
@@ -93,21 +100,23 @@ INLINE RayBounds bounds_from(const Apex *a, const OriginPacket *packets, int pac
     return bounds_within(a, lowest_of, highest_of);
 }
 
-/* Any rays of one packet. */
+/* Bounds of one packet of any rays. */
 INLINE RayBounds bounds_of(const RealRay *l, Mask active)
 {
     RayBounds b;
-    b.slabs[0] = slab(lowest(l->origin.x, active), highest(l->origin.x, active), lowest(l->scaled.x, active), highest(l->scaled.x, active));
-    b.slabs[1] = slab(lowest(l->origin.y, active), highest(l->origin.y, active), lowest(l->scaled.y, active), highest(l->scaled.y, active));
-    b.slabs[2] = slab(lowest(l->origin.z, active), highest(l->origin.z, active), lowest(l->scaled.z, active), highest(l->scaled.z, active));
+    Lanes o[3] = {l->origin.x, l->origin.y, l->origin.z}, d[3] = {l->scaled.x, l->scaled.y, l->scaled.z};
+    for (int i = 0; i < 3; i++)
+        b.slabs[i] = slab(lowest(o[i], active), highest(o[i], active), lowest(d[i], active), highest(d[i], active));
     b.reach = REACH_ALL;
     bounds_keep_sides(&b);
     return b;
 }
 
+/* All hits so far are nearer than that. */
 INLINE void bounds_shorten(RayBounds *b, real reach) { b->reach = reach < REACH_ALL ? GROWN(reach) : REACH_ALL; }
 
-/* Narrows [enter, leave] to where the bundle may be between the two planes. 0 * infinity, which is NaN, narrows nothing. */
+/* Narrows [enter, leave] to where the bundle may be between two planes, for the planes of LANES boxes at once. NaN,
+ * which is 0 * infinity, narrows nothing. */
 INLINE void cross_slab(Slab s, Lanes low, Lanes high, Lanes *enter, Lanes *leave)
 {
     low -= s.origin_high;

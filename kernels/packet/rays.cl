@@ -1,4 +1,4 @@
-/* Rays, a lane each. */
+/* Rays, one in each lane. */
 #include "shared/compiler.cl"
 #include "packet/lanes.cl"
 #include "packet/vectors.cl"
@@ -7,11 +7,11 @@ typedef struct Ray {
     WideVec origin, direction;
 } Ray;
 
-/* A ray in `real`. */
+/* The same in `real`. */
 typedef struct RealRay {
     Vec origin, direction;
-    Vec scaled;  /* the direction divided by the largest magnitude of its components, which is */
-    Lanes scale;
+    Lanes scale; /* the largest magnitude of the direction's components */
+    Vec scaled;  /* direction / scale */
 } RealRay;
 
 INLINE RealRay real_ray(Vec origin, Vec direction)

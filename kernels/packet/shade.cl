@@ -5,9 +5,9 @@
  *         find the blocked ones, for all packets together
  *         for each packet: add the light's terms, all of them or the ambient one alone
  *
- * The lanes of a packet mostly meet one face of one material: what belongs to a face is fetched once per face and blended into its
- * lanes. A packet that meets one face blends nothing, and one unit vector per light serves both the shadow ray and the shading:
- * cornell took 108, then 92, then 86 ms. */
+ * The lanes of a packet mostly meet one face of one material: what belongs to a face is fetched once per face and
+ * blended into its lanes. A packet that meets one face blends nothing, and one unit vector per light serves both the
+ * shadow ray and the shading: cornell took 108, then 92, then 86 ms. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -42,7 +42,8 @@ typedef struct Illumination {
     Mask lit; /* the lanes that some light reaches */
 } Illumination;
 
-/* Fills in all but to_viewer. ahead: the rays' directions. apex: of all rays; NULL: each lane has its own of `apexes`. */
+/* Fills in all but to_viewer. ahead: the rays' directions. apex: of all rays; NULL: each lane has its own of
+ * `apexes`. */
 INLINE void find_surface(const World *world, const Nearest *nearest, Mask active, Vec ahead, const wide *apex,
                          const WideVec *apexes, Surface *surface)
 {
@@ -135,8 +136,8 @@ static Mask faces_light(const World *world, const Surface *surface, const wide *
     return facing;
 }
 
-/* The lanes whose way to the light is to be searched. facing: the lanes that face it; those that it may count for are left.
- * Counts what is skipped. */
+/* The lanes whose way to the light is to be searched. facing: the lanes that face it; those that it may count for are
+ * left. Counts what is skipped. */
 INLINE Mask lanes_to_ask(const World *world, global const real *light, Mask active, Mask *facing)
 {
     uint *skipped = world->counters + COUNT_SKIPPED;
@@ -154,7 +155,8 @@ INLINE Mask lanes_to_ask(const World *world, global const real *light, Mask acti
     return asking;
 }
 
-/* The shadow rays of packet p, from the light to its points: approximate points, or the exact ones where those are too rough. */
+/* The shadow rays of packet p, from the light to its points: approximate points, or the exact ones where those are too
+ * rough. */
 INLINE void aim_shadow_rays(OriginPacket *packet, const wide *light, const ApproxPoint *approx, Vec light_from_apex,
                             LazyPoints *points, int p)
 {
@@ -168,7 +170,8 @@ INLINE void aim_shadow_rays(OriginPacket *packet, const wide *light, const Appro
     aim_from_light(packet, light, *shifted_point(points, p, points->active[p]));
 }
 
-/* The unit vectors to the light. They are those of the shadow rays, turned round: to a float, the shift of a point is nothing. */
+/* The unit vectors to the light. They are those of the shadow rays, turned round: to a float, the shift of a point is
+ * nothing. */
 INLINE Vec find_light(const OriginPacket *packet, const wide *light, const LazyPoints *points, int p)
 {
     if (REAL_DOUBLE)
@@ -197,8 +200,8 @@ INLINE Vec illuminate(const World *world, const Surface *surface, global const r
     return colour;
 }
 
-/* Adds up what all lights do to the active lanes of `points`. apex: as find_surface. uncertain: the lanes whose points rounding may
- * have put into a closed box. */
+/* Adds up what all lights do to the active lanes of `points`. apex: as find_surface. uncertain: the lanes whose points
+ * rounding may have put into a closed box. */
 INLINE void shade(const World *world, const Surface *surfaces, const wide *apex, const Path *paths, LazyPoints *points,
                   const Mask *uncertain, Illumination *sums)
 {

@@ -1,4 +1,5 @@
-/* Which shadow rays are blocked. The rays of a tile to one light are searched from the light, which they have in common.
+/* Which shadow rays are blocked. The rays of a tile to one light are searched from the light, which they have in
+ * common.
  *
  *     while there are rays
  *         take those whose directions are like that of the first one: a group
@@ -8,9 +9,9 @@
  *                 rays that it blocks leave the group
  *         after BLOCKED_BUDGET faces: cut the group to directions that are more alike, and go on where it stopped
  *
- * A light in the middle of a scene sends its rays everywhere, and bounds of such rays would meet nearly all faces: so groups are
- * of like directions. Parts that go on from the stack that the group has left, instead of the root, visit 20 to 49 % fewer nodes
- * in cities and sponges. */
+ * A light in the middle of a scene sends its rays everywhere, and bounds of such rays would meet nearly all faces: so
+ * groups are of like directions. Parts that go on from the stack that the group has left, instead of the root, visit
+ * 20 to 49 % fewer nodes in cities and sponges. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -28,8 +29,8 @@
 /* A group that has asked so many faces is cut; tuned on the ladder of scenes. */
 enum { BLOCKED_BUDGET = 12 };
 
-/* The directions of a group differ by up to NEAR_MOST in each component. Each cut divides that by 8; groups that have been cut
- * NEAR_LEVELS - 1 times are not cut again. */
+/* The directions of a group differ by up to NEAR_MOST in each component. Each cut divides that by 8; groups that have
+ * been cut NEAR_LEVELS - 1 times are not cut again. */
 enum { NEAR_LEVELS = 3 };
 #define NEAR_MOST ((real)0.1f)
 #define NEAR_LESS ((real)0.125f)
@@ -70,8 +71,8 @@ INLINE RayBounds bounds_of_shadow_rays(const Apex *a, const OriginPacket *packet
     return b;
 }
 
-/* Asks the faces that `stack` leads to for the active lanes of the group. Lanes that are blocked are active no more. b: bounds of
- * the rays. False: it stopped after more than `budget` faces, and the stack leads to the others. */
+/* Asks the faces that `stack` leads to for the active lanes of the group. Lanes that are blocked are active no more.
+ * b: bounds of the rays. False: it stopped after more than `budget` faces, and the stack leads to the others. */
 INLINE bool traverse_segments(const World *world, const Apex *a, const ShadowGroup *g, RayBounds b, Stack *stack,
                               uint budget, bool cull_boxes)
 {
@@ -115,13 +116,14 @@ INLINE bool traverse_segments(const World *world, const Apex *a, const ShadowGro
     return asked <= budget;
 }
 
-/* Finds which of the lanes `asking` are blocked. Of closed boxes, half of the faces are culled; but the lanes that are `uncertain`
- * come last, and all faces are asked for them. stack: leads to all faces that may block some lane; NULL: the root does. */
+/* Finds which of the lanes `asking` are blocked. Of closed boxes, half of the faces are culled; but the lanes that are
+ * `uncertain` come last, and all faces are asked for them. stack: leads to all faces that may block some lane; NULL:
+ * the root does. */
 NOINLINE void find_blocked(const World *world, const ShadowGroup *g, const Mask *asking, const Mask *uncertain,
                            const Stack *stack)
 {
     Apex a = apex_at(g->light, 0, 1 + 4 * REAL_ROUNDING);
-    Mask rest[NEAR_LEVELS][PACKETS]; /* level 0: all lanes; the next ones: those of the group above, which has been cut */
+    Mask rest[NEAR_LEVELS][PACKETS]; /* level 0: of all lanes; each next level: of a group that has been cut */
     Stack stacks[NEAR_LEVELS - 1];   /* what that group has left to ask */
     real near = NEAR_MOST;
     bool cull_boxes = true;

@@ -5,8 +5,8 @@
  *         shade the hits, and add their colours, weighted by the mirrors before them
  *         reflect the rays of the paths that go on
  *
- * Rays from the eye have it for their common apex. Rays that a plane mirror reflects come from the image of the apex in it, so that
- * those of one image are searched together, too. */
+ * Rays from the eye have it for their common apex. Rays that a plane mirror reflects come from the image of the apex
+ * in it, so that those of one image are searched together, too. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -24,8 +24,8 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* The faces that the rays of a packet have met, bounce by bounce, for adaptive sampling. A face is -1 where the ray left the scene,
- * and TRAIL_ENDED where its path had ended before. */
+/* The faces that the rays of a packet have met, bounce by bounce, for adaptive sampling. A face is -1 where the ray
+ * left the scene, and TRAIL_ENDED where its path had ended before. */
 #define TRAIL_ENDED -2
 
 typedef struct Trail {
@@ -40,8 +40,8 @@ typedef struct Eye {
     const RayBounds *bounds; /* of all rays of the tile */
 } Eye;
 
-/* The lanes of packet p whose rays come from that image of the eye. What is one image in exact arithmetic, rounding makes several,
- * which lie close together. */
+/* The lanes of packet p whose rays come from that image of the eye. What is one image in exact arithmetic, rounding
+ * makes several, which lie close together. */
 INLINE Mask lanes_of_image(const Path *path, const Ray *ray, WideVec image)
 {
     WideVec from = wide_sub(ray->origin, image), apart = wide_sub(path->apex, image);
@@ -61,7 +61,8 @@ INLINE Lanes begin_after_mirror(const Ray *ray, WideVec image, Nearest *nearest)
     return TO_REAL(wide_magnitudes(off) + rounding) * (1 + 4 * REAL_ROUNDING);
 }
 
-/* Finds the nearest faces of rays that come from images of the eye, one image after another. length: no direction is longer. */
+/* Finds the nearest faces of rays that come from images of the eye, one image after another. length: no direction is
+ * longer. */
 INLINE void find_reflected(const World *world, const Path *paths, real length, const Traversal *resume, const Group *g)
 {
     Mask rest[PACKETS];
@@ -90,7 +91,8 @@ INLINE void find_reflected(const World *world, const Path *paths, real length, c
         g->uncertain[p] = (Mask)-1; /* culling closed boxes is proved for rays from the eye only */
 }
 
-/* Finds the nearest faces of all paths. eye: where they come from; NULL: from its images. resume: as find_nearest_from. */
+/* Finds the nearest faces of all paths. eye: where they come from; NULL: from its images. resume: as
+ * find_nearest_from. */
 INLINE void find_nearest(const World *world, const Eye *eye, bool from_eye, const Path *paths, const Traversal *resume,
                          const Group *g)
 {
@@ -111,10 +113,10 @@ INLINE void find_nearest(const World *world, const Eye *eye, bool from_eye, cons
     }
 }
 
-/* Adds to each path's total the colours of its hits, each weighted by the mirrors before it. bounces: so many mirrors the rays have
- * met already. resume: of the first search, as find_nearest_from. trails: of each packet, or NULL. */
-static void trace_paths(const World *world, const Eye *eye, int bounces, Path *paths, Ray *rays, const Traversal *resume,
-                       Trail *trails)
+/* Adds to each path's total the colours of its hits, each weighted by the mirrors before it. bounces: so many mirrors
+ * the rays have met already. resume: of the first search, as find_nearest_from. trails: of each packet, or NULL. */
+static void trace_paths(const World *world, const Eye *eye, int bounces, Path *paths, Ray *rays,
+                        const Traversal *resume, Trail *trails)
 {
     constant const Parameters *parameters = world->parameters;
     Vec background = vec_row(world->view + VIEW_BACKGROUND);

@@ -1,3 +1,3 @@
-/* The search of a tree by a bundle of rays: TREE, a build option, is packet/bvh.cl, packet/kdtree.cl or
- * packet/all_faces.cl. */
+/* The tree of the scene, traversed by a bundle of rays. The host chooses the file that TREE stands for: packet/bvh.cl,
+ * packet/kdtree.cl or packet/all_faces.cl. All three have the same functions: */
 #include TREE

@@ -1,4 +1,5 @@
-/* Vectors, a component in each of three registers: in `real`, and in `wide`. */
+/* Vectors of all lanes: Vec in `real`, WideVec in `wide`. A register holds one component of all lanes, so that the
+ * formulas read like those of single vectors. */
 #include "shared/precision.cl"
 #include "packet/lanes.cl"
 
@@ -21,18 +22,12 @@ static Vec vec_add(Vec a, Vec b) { return vec(a.x + b.x, a.y + b.y, a.z + b.z); 
 static Vec vec_sub(Vec a, Vec b) { return vec(a.x - b.x, a.y - b.y, a.z - b.z); }
 static Vec vec_minus(Vec a) { return vec(-a.x, -a.y, -a.z); }
 static Vec vec_scale(Lanes s, Vec a) { return vec(s * a.x, s * a.y, s * a.z); }
-static Vec vec_multiply(Vec a, Vec b) { return vec(a.x * b.x, a.y * b.y, a.z * b.z); }
 static Lanes vec_dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 static Lanes vec_magnitudes(Vec a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 static Lanes vec_largest(Vec a) { return GREATER(GREATER(fabs(a.x), fabs(a.y)), fabs(a.z)); }
 static Vec vec_select(Mask mask, Vec a, Vec b) { return vec(mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z); }
 
-static Vec vec_cross(Vec a, Vec b)
-{
-    return vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
-
-/* a / |a|; a zero vector stays zero. In double as the reference does it, in float with one division instead of three. */
+/* a / |a|. A zero vector stays zero. Double does as the reference does; float takes one division instead of three. */
 static Vec vec_unit(Vec a)
 {
     Lanes squared = vec_dot(a, a);
@@ -53,6 +48,7 @@ static WideVec wide_vec(Wide x, Wide y, Wide z)
 /* A point that all lanes have in common. */
 static WideVec wide_of(const wide *p) { return wide_vec((Wide)p[0], (Wide)p[1], (Wide)p[2]); }
 
+/* |x| + |y| + |z|. */
 static wide magnitudes_of(const wide *p) { return fabs(p[0]) + fabs(p[1]) + fabs(p[2]); }
 
 static WideVec wide_add(WideVec a, WideVec b) { return wide_vec(a.x + b.x, a.y + b.y, a.z + b.z); }
@@ -79,6 +75,7 @@ static WideVec wide_select(WideMask mask, WideVec a, WideVec b)
 
 static Vec vec_to_real(WideVec a) { return vec(TO_REAL(a.x), TO_REAL(a.y), TO_REAL(a.z)); }
 
+/* The value in lane 0. */
 static wide first_wide(Wide x)
 {
 #if LANES == 1

@@ -2,7 +2,7 @@
 #include "shared/layout.h"
 #include "shared/precision.cl"
 
-/* The host says how large it takes the shared structs to be; an array of negative length stops the build. */
+/* The host passes the sizes of its own shared structs. If they differ, an array of negative length stops the build. */
 typedef char FaceRecordHasTheHostsSize[sizeof(FaceRecord) == FACE_RECORD_BYTES ? 1 : -1];
 typedef char ParametersHasTheHostsSize[sizeof(Parameters) == PARAMETERS_BYTES ? 1 : -1];
 
@@ -13,15 +13,15 @@ typedef struct World {
     global const wide *planes; /* face_count rows of PLANE_REALS */
     int face_count;
     global const real *materials, *lights, *view; /* NULL in `cast` */
-    global const float *tree_floats; /* the tree's buffers: bvh.cl and kdtree.cl say what is in them */
+    global const float *tree_floats; /* the tree: bvh.cl and kdtree.cl say what is in it */
     global const int *tree_ints;
-    uint *counters; /* COUNTER_KINDS of them, of this work-item alone */
+    uint *counters; /* COUNTER_KINDS of them, this work-item's own */
 } World;
 
-/* Adds the counters of a work-item to those of all. */
+/* Adds the counters of the work-item to those of all. */
 static void add_counters(volatile global uint *totals, const World *world)
 {
-    /* A processor takes some work-items in a row: they add to the same copy, which stays in its cache. */
+    /* A processor takes some work-items in a row. They add to the same copy, which stays in its cache. */
     size_t copy = get_global_id(0) / (LANES > 1 ? 4 : 1) % COUNTER_STRIPES;
     volatile global uint *stripe = totals + copy * COUNTER_STRIDE;
     for (int kind = 0; kind < COUNTER_KINDS; kind++)

@@ -1,11 +1,14 @@
 /* What we tell the compiler beside the code itself. */
 
-/* Some functions the compiler would rather call; a call passes its vectors through memory. */
+/* A function that is called instead passes its vectors through memory: that pays where it is long and seldom needed. */
 #define INLINE static inline __attribute__((always_inline))
 #define NOINLINE static __attribute__((noinline))
 
-/* What is read from memory at every use: the compiler would make a vector of each value before a loop, more than there are
- * registers, and read those from memory instead. */
+/* Loops that are not unrolled: their code is long. */
+#define EACH_OF(p, count) __attribute__((opencl_unroll_hint(1))) for (int p = 0; p < (count); p++)
+
+/* Scalars that are read from memory at each use. Left alone, the compiler makes a vector of each one before a loop.
+ * Those are more than there are registers, and so it reads whole vectors from memory instead. */
 #if LANES > 1
 #define REREAD volatile
 #else
@@ -16,7 +19,9 @@
 #define __has_builtin(x) 0
 #endif
 
-/* Asks for cache lines ahead of their use. */
+/* Asks for cache lines ahead of their use. Fetching nodes and faces when they are put on the stack took 12 and 16 %
+ * from the time of city-1k and city-200k; fetching lists of children and records of faces, too, 9 % from that of
+ * menger-4. */
 INLINE void fetch(global const void *p, uint bytes)
 {
 #if __has_builtin(__builtin_prefetch) && LANES > 1

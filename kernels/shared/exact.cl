@@ -1,21 +1,31 @@
-/* Signs without rounding, one lane at a time, for the rare values that lie within their rounding error of zero.
- * First the determinant in `wide` with Shewchuk's bound, then as an expansion, an exact sum of wides
- * ("Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997). */
+/* Signs without rounding, for the rare values that lie within their rounding error of zero (Shewchuk, "Adaptive
+ * Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997).
+ *
+ *     compute the determinant in `wide`, and its error bound
+ *     beyond the bound its sign is certain
+ *     within it: multiply out the determinant, and add up its terms as an expansion, a sum of wides without rounding
+ *
+ * An expansion takes some thousand operations, one lane at a time. Nearly no ray needs one; those that do would see a
+ * gap between two faces without it. docs/bounds.md, "The sign of a determinant". */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
 
+/* The exact value is high + low. */
 typedef struct Pair {
-    wide high, low; /* high + low exactly */
+    wide high, low;
 } Pair;
 
-/* A vector in twice the precision of wide. */
+/* A vector in twice the precision of `wide`. */
 typedef struct Exact {
     Pair x, y, z;
 } Exact;
 
+/* A determinant of three vectors is a sum of 6 products, each of three pairs: of 8 products of wides, each 4 wides
+ * long. */
 enum { EXPANSION_TERMS = 6 * 8 * 4 };
 
+/* a + b exactly (Knuth, The Art of Computer Programming, volume 2, section 4.2.2). */
 static Pair two_sum(wide a, wide b)
 {
     Pair s;
@@ -26,6 +36,7 @@ static Pair two_sum(wide a, wide b)
     return s;
 }
 
+/* a b exactly. */
 static Pair two_product(wide a, wide b)
 {
     Pair p;
@@ -43,6 +54,7 @@ static Exact exact_difference(const wide *a, const wide *b)
     return d;
 }
 
+/* Adds a value to an expansion of `count` terms, the smallest first. Returns how many there are then. */
 static int expansion_add(wide *terms, int count, wide value)
 {
     int kept = 0;
@@ -57,6 +69,7 @@ static int expansion_add(wide *terms, int count, wide value)
     return kept;
 }
 
+/* Adds sign a b c. */
 static int expansion_add_product(wide *terms, int count, wide sign, Pair a, Pair b, Pair c)
 {
     for (int i = 0; i < 8; i++) {
@@ -73,7 +86,7 @@ static int expansion_add_product(wide *terms, int count, wide sign, Pair a, Pair
     return count;
 }
 
-/* det(a, b, c) = a . (b x c) to within an ulp or two, its sign exact. */
+/* det(a, b, c) = a . (b x c), to within an ulp or two. Its sign is exact. */
 NOINLINE wide exact_determinant(const Exact *a, const Exact *b, const Exact *c)
 {
     wide terms[EXPANSION_TERMS];
@@ -90,7 +103,7 @@ NOINLINE wide exact_determinant(const Exact *a, const Exact *b, const Exact *c)
     return value;
 }
 
-/* Its sign alone: -1, 0 or 1. */
+/* The sign of det(a, b, c): -1, 0 or 1. */
 NOINLINE int determinant_sign(const Exact *a, const Exact *b, const Exact *c)
 {
     wide yz = b->y.high * c->z.high, zy = b->z.high * c->y.high;
@@ -110,7 +123,7 @@ static void face_corner(global const real *row, int k, wide *corner)
         corner[axis] = (wide)row[FACE_VERTICES + 4 * axis + k];
 }
 
-/* The side on which a ray passes inside all four edges: +1 with the normal, -1 against it, 0 outside. */
+/* How a ray passes the face inside its four edges: 1 along the normal, -1 against it, 0 not at all. */
 NOINLINE int inside_sign(global const real *row, const wide *origin, const Exact *direction)
 {
     int lowest = 1, highest = -1;
@@ -128,7 +141,7 @@ NOINLINE int inside_sign(global const real *row, const wide *origin, const Exact
     return lowest >= 0 && highest > 0 ? 1 : highest <= 0 && lowest < 0 ? -1 : 0;
 }
 
-/* M.x for the cross product M of the face's diagonals, the face's normal but for its length. */
+/* M.x, where M is the cross product of the face's diagonals: its normal, but for its length. */
 NOINLINE wide cross_dot(global const real *row, const Exact *x)
 {
     wide v[4][3];

@@ -1,59 +1,62 @@
 /* The data that the host and the kernels share: one header, compiled by both languages.
- * Structs hold 4-byte scalars only, so that no compiler pads them; their sizes are checked when a kernel is built.
- * Everything real-valued travels as rows of `real` (float or double, a build option): the enums name the columns.
- * A row's value that needs more than a float in the float kernel is split: value = NAME + NAME_LOW. */
+ * Structs hold 4-byte scalars only, so that no compiler pads them. Their sizes are checked when a kernel is built.
+ * Everything real-valued travels as rows of `real`, float or double as a build option says. The enums name the columns.
+ * A value that needs more than a float is split in the float kernel: value = NAME + NAME_LOW. */
+#include "skips.h"
 #ifndef RECTRAY_LAYOUT_H
 #define RECTRAY_LAYOUT_H
 
-#include "skips.h"
 
-/* Of a face, what only those rays need that hit it: half of a cache line. */
+/* What only those rays need of a face that hit it: half of a cache line. */
 typedef struct FaceRecord {
-    int material; /* its number; with FACE_FLAT, the face is across an axis, so that every hit is in its box */
+    int material; /* its number, and FACE_FLAT */
     int index;    /* the face's place in the scene; on the device, faces stand in the order of the tree's leaves */
     float box[6]; /* of face_box: low x, high x, low y, ... */
 } FaceRecord;
 
+/* The face is across an axis, so that every hit is in its box. */
 #define FACE_FLAT 0x40000000
 
-/* A path has at most so many hits. */
+/* The most hits that a path has. */
 enum { PATH_MAX = 65 };
 
-/* What stays the same over a launch, but for the band. */
+/* The numbers that a launch is for. Only the band changes from one launch to the next. */
 typedef struct Parameters {
     int columns, rows;
     int first_row, band_rows; /* the rows that this launch renders */
-    int grid;           /* so many columns and rows of cells in a pixel; where it is refined, so many samples, one in each of them */
+    int grid;           /* columns and rows of cells in a pixel; of refined pixels, the number of samples */
     int face_count, light_count;
     int max_bounces;
-    int shadow_ambient; /* 1: a light's ambient term counts in its shadow too, and the path goes on */
+    int shadow_ambient; /* 1: a light's ambient term counts in its shadow, too, and the path goes on */
     int viewer_ray;     /* 1: V points back along the ray */
     int ray_count;      /* cast only */
-    int refine_first, refine_count; /* render_adaptive only: the stretch of the list of pixels that this launch refines */
+    int refine_first;   /* render_adaptive only: this launch refines the pixels of its list from here on, */
+    int refine_count;   /* so many; 0: it renders the pixels' centres */
     int no_skip;        /* bit SKIP_...: that work is done although the scene does not need it */
     int generator;      /* render_adaptive only: sample k of a refined pixel is in row k generator mod grid */
     int padding;
 } Parameters;
 
-/* A face as all rays ask it that come near it; in float one cache line. */
+/* What all rays need of a face that come near it. In float it is one cache line. */
 enum {
     FACE_VERTICES = 0, /* 4 x, 4 y, 4 z: exactly the float32 vertices of the scene; a triangle repeats its first */
     FACE_NORMAL = 12,  /* 3, unit */
-    FACE_BITS = 15,    /* 32 bits: two bounds and three answers */
+    FACE_BITS = 15,    /* 32 bits: two bounds and three flags */
     FACE_REALS = 16
 };
 
-/* The upper half of FACE_BITS is that of a float: no edge has larger |x|+|y|+|z|. The lower half is the upper one of another:
- * no vertex is farther from the plane. What is told beside them is in their signs and makes the second larger at most. */
+/* The upper half of FACE_BITS is the upper half of a float: no edge has a larger |x|+|y|+|z|.
+ * The lower half is the upper half of another float: no vertex is farther from the plane.
+ * The flags share these words: the sign bits, and the lowest bit. They can only enlarge the bound. */
 #define FACE_TRIANGLE 0x80000000u
 #define FACE_BACK_OPEN 0x8000u /* rays pass from behind the normal: the face is one-sided */
-#define FACE_BACK_INSIDE 1u    /* behind it is the inside of a closed box: rays from outside meet a front of the box first */
+#define FACE_BACK_INSIDE 1u    /* behind it is the inside of a closed box: rays from outside meet a front first */
 
 /* Planes are rows of `wide`: double wherever the device has it. */
 enum {
     PLANE_NORMAL = 0, /* 3, unit */
     PLANE_NORMAL_LOW = 3,
-    PLANE_ERROR = 6,  /* no component of the exact normal is farther from NORMAL + NORMAL_LOW */
+    PLANE_ERROR = 6,  /* each component of NORMAL + NORMAL_LOW is at most so far from the exact one */
     PLANE_LENGTH = 7, /* of the cross product of the diagonals */
     PLANE_REALS = 8
 };
@@ -76,7 +79,8 @@ enum {
     MATERIAL_REALS = 12
 };
 
-/* The first VIEW_REALS are rounded values, the second what rounding took away: value = row[i] + row[VIEW_REALS + i]. */
+/* The first VIEW_REALS are rounded values, the next VIEW_REALS what rounding took away: row[i] + row[VIEW_REALS +
+ * i]. */
 enum {
     VIEW_EYE = 0,
     VIEW_FORWARD = 3, /* times the screen's distance */
@@ -85,14 +89,15 @@ enum {
     VIEW_WIDTH = 12,
     VIEW_HEIGHT = 13,
     VIEW_BACKGROUND = 14, /* 3, RGB */
-    VIEW_BRIGHTEST = 17,  /* adaptive sampling: the most that a hit and all its mirror shows can add */
+    VIEW_BRIGHTEST = 17,  /* the most that a hit can add, with all that its mirror shows */
     VIEW_LENGTH = 18,     /* no primary ray's direction is longer */
     VIEW_FARTHEST = 19,   /* no vertex has larger |x|+|y|+|z| */
     VIEW_REALS = 20
 };
 
-/* A child of a tree's node is another node's number, or the faces of a leaf, or nothing. A leaf has up to LEAF_MAX faces, or one
- * side of a closed box: 2 axis for the low one, one more for the high one. The key of such a leaf says nothing but the side. */
+/* A child of a tree's node is the number of another node, a leaf, or NO_CHILD. A leaf has up to LEAF_MAX faces, or it
+ * is one side of a closed box: side 2 axis is the low one, 2 axis + 1 the high one. The key of a leaf is the same for
+ * all leaves of that side. */
 enum { NO_CHILD = -2147483647 - 1, LEAF_BITS = 4, LEAF_MASK = (1 << LEAF_BITS) - 1, LEAF_MAX = 8, NO_SIDE_KEY = -1 };
 #define LEAF(first, count) (~(((first) << LEAF_BITS) | (count)))
 #define SIDE_LEAF(first, side) LEAF(first, LEAF_MAX + 1 + (side))
@@ -110,14 +115,14 @@ enum {
     KD_LEAF = 3
 };
 
-/* Counters, in COUNTER_STRIPES copies so that work-items seldom meet; the host adds the copies. */
+/* Counters. There are COUNTER_STRIPES copies, so that work-items seldom wait for one another. The host adds them up. */
 enum {
     COUNT_PRIMARY,
     COUNT_SHADOW,
     COUNT_REFLECTION,
     COUNT_FACE_TESTS, /* rays times faces */
-    COUNT_BOX_TESTS,  /* bundles times boxes */
-    COUNT_SKIPPED,    /* SKIPS_COUNTED kinds */
+    COUNT_BOX_TESTS,  /* bundles of rays times boxes */
+    COUNT_SKIPPED,    /* the first of SKIPS_COUNTED kinds */
     COUNTER_KINDS = COUNT_SKIPPED + SKIPS_COUNTED,
     COUNTER_STRIPES = 64,
     COUNTER_STRIDE = 16 /* 4-byte counters from one copy to the next: a cache line */

@@ -1,7 +1,7 @@
-/* The two types of numbers. `real` is what most arithmetic is done in, float or double as the build option REAL_DOUBLE says.
- * `wide` is double wherever the device has it (HAS_DOUBLE): rays, t and hit points are wide in both precisions. */
+/* The two types of numbers. Most arithmetic is done in `real`, float or double as the build option REAL_DOUBLE says.
+ * Rays, t and hit points are `wide` in both precisions: double wherever the device has it (HAS_DOUBLE). */
 
-#pragma OPENCL FP_CONTRACT OFF /* a * b + c rounds twice, as on the host; fma() where we want one rounding */
+#pragma OPENCL FP_CONTRACT OFF /* a * b + c rounds twice, as on the host; fma() stands where we want one rounding */
 
 #if REAL_DOUBLE || HAS_DOUBLE
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
@@ -10,7 +10,7 @@ typedef double4 wide4;
 #define WIDE_ROUNDING 0x1p-53
 #define WIDE_MIN DBL_MIN
 #define WIDE_MAX DBL_MAX
-#define PAIRS_LIMIT 0x1p24 /* times the bound of arithmetic in pairs: below it, fewer than 24 bits are sure */
+#define PAIRS_LIMIT 0x1p24 /* a value below so many times its error bound has fewer than 24 bits that are sure */
 #else
 typedef float wide;
 typedef float4 wide4;
