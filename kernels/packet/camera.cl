@@ -52,10 +52,6 @@ INLINE Apex apex_at_eye(const World *world)
     return apex_at(eye, 0, world->view[VIEW_LENGTH]);
 }
 
-typedef struct Frustum {
-    real x[4], y[4], z[4];
-} Frustum;
-
 /* The places of the tile's columns and rows on the screen: see view_direction in geometry.c. */
 typedef struct ScreenPlaces {
     wide x[TILE_COLUMNS], y[TILE_ROWS];
@@ -122,42 +118,6 @@ INLINE Camera camera_in_mirror(const World *world, int face, const Camera *camer
     mirror(n, height_of(n, c.right), c.right);
     mirror(n, height_of(n, c.up), c.up);
     return c;
-}
-
-/* A part of the screen, between two places of columns and two of rows. */
-typedef struct Window {
-    wide x[2], y[2];
-} Window;
-
-/* Of the tile's pixels that are in the band: a face that these see need not go on beyond them, nor lie ahead there. */
-INLINE Window window_of_tile(constant const Parameters *p, const ScreenPlaces *places, int first_column, int first_row)
-{
-    int column = min((int)TILE_COLUMNS, p->columns - first_column) - 1, row = min((int)TILE_ROWS, p->band_rows - first_row) - 1;
-    Window w = {{places->x[0], places->x[column]}, {places->y[0], places->y[row]}};
-    return w;
-}
-
-/* Of all sub-pixels of an area. */
-INLINE Window window_of_area(const World *world, const Area *area)
-{
-    constant const Parameters *p = world->parameters;
-    int column = area->column, row = p->first_row + area->row, last = p->grid - 1;
-    Window w = {{screen_x(world, column, 0), screen_x(world, column + area->columns - 1, last)},
-                {screen_y(world, row, 0), screen_y(world, row + area->rows - 1, last)}};
-    return w;
-}
-
-/* The rays of a window's corners. Each component of a direction rises or falls with either place, and so does its
- * rounding: it has its extremes there. */
-INLINE Frustum camera_frustum(const Camera *c, const Window *window)
-{
-    const wide *x = window->x, *y = window->y, *forward = c->forward, *right = c->right, *up = c->up;
-    wide4 across = (wide4)(x[0], x[1], x[0], x[1]), down = (wide4)(y[0], y[0], y[1], y[1]);
-    Frustum corners;
-    vstore4(TO_REAL4(forward[0] + across * right[0] + down * up[0]), 0, corners.x);
-    vstore4(TO_REAL4(forward[1] + across * right[1] + down * up[1]), 0, corners.y);
-    vstore4(TO_REAL4(forward[2] + across * right[2] + down * up[2]), 0, corners.z);
-    return corners;
 }
 
 /* The directions R = Q - C of packet k's rays. */

@@ -39,6 +39,12 @@ INLINE LightTerms light_terms(const World *world, global const real *material, g
     return terms;
 }
 
+/* What all lights add up to at the hits of a packet. */
+typedef struct Illumination {
+    Vec colour;
+    Mask lit; /* the lanes that some light reaches */
+} Illumination;
+
 static Lanes at_least_zero(Lanes x) { return x > (Lanes)0 ? x : (Lanes)0; }
 
 INLINE Vec scale_colour(Lanes s, real3 c) { return vec(s * c.x, s * c.y, s * c.z); }

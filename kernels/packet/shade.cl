@@ -36,12 +36,6 @@ typedef struct Surface {
     int only_material; /* the same of materials */
 } Surface;
 
-/* What all lights add up to. */
-typedef struct Illumination {
-    Vec colour;
-    Mask lit; /* the lanes that some light reaches */
-} Illumination;
-
 /* Fills in all but to_viewer. ahead: the rays' directions. apex: of all rays; NULL: each lane has its own of
  * `apexes`. */
 INLINE void find_surface(const World *world, const Nearest *nearest, Mask active, Vec ahead, const wide *apex,

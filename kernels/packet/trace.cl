@@ -14,6 +14,7 @@
 #include "packet/approx.cl"
 #include "packet/intersect.cl"
 #include "packet/lanes.cl"
+#include "packet/light.cl"
 #include "packet/nearest.cl"
 #include "packet/paths.cl"
 #include "packet/planes.cl"

@@ -1,176 +1,150 @@
-/* What the corners of a window, a block of tiles or one tile, tell of all its pixels: the face that they see, what it mirrors, and
- * of each light whether it reaches them, or whether nothing of it does. docs/algorithm.md, section 11. */
+/* Classification. A window of the screen is a block of tiles, its quarter, or a tile. Where one face covers the window,
+ * and mirrors another face that covers it, and so on, all its rays hit the same faces. Mostly they see the same lights,
+ * too.
+ *
+ *     the next hit: the window around it has found it, or
+ *                   find_covering_face among what that window has not ruled out
+ *     each light:   the window around it has classified it, or
+ *                   classify_shadow
+ *
+ * A planar mirror shows what its image of the camera sees. So each hit is found as the first one is.
+ *
+ * It costs some four rays for a window. It buys that no ray of the window is searched by itself: rooms take a quarter
+ * to a third of the time (docs/performance.md, `whole_tile`), cities of many small faces as much as without it. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "shared/skips.h"
 #include "packet/apex.cl"
-#include "packet/approx.cl"
-#include "packet/camera.cl"
-#include "packet/faces.cl"
 #include "packet/lanes.cl"
 #include "packet/light.cl"
-#include "packet/nearest.cl"
 #include "packet/planes.cl"
 #include "packet/tree.cl"
+#include "packet/window.cl"
 #include "packet/world.cl"
+#include "tile/covering_face.cl"
+#include "tile/facet.cl"
 #include "tile/frustum.cl"
+#include "tile/mirror_chain.cl"
+#include "tile/part_shadow.cl"
+#include "tile/shadow_class.cl"
 
-#define CLASSIFIES_TILES (HAS_APPROX && PACKETS > 1)
+enum { CLASSIFIED_BOUNCES = 16 }; /* a block is classified so far; a tile goes on as far as its rays do */
 
-#if !CLASSIFIES_TILES
-
-typedef int Classification;
-
-INLINE bool has_first_hit(const Classification *o) { return false; }
-
-INLINE bool classify_window(const World *world, const Window *window, uint rays, const Classification *parent,
-                            Classification *o)
+/* Finds the next hit, and makes it a facet without lights. False: the rays may hit different faces. */
+NOINLINE bool find_facet(const World *world, MirrorChain *chain, Facet *f)
 {
-    return false;
-}
-
-#else
-
-/* The part of a face that a window shows. */
-typedef struct Patch {
-    Frustum corners; /* from the apex */
-    real error;         /* of the corners, and of any point between them */
-} Patch;
-
-/* height, off: as sketch. */
-INLINE Patch patch_on(const World *world, int face, const Frustum *c, real height, real off)
-{
-    global const wide *plane = world->planes + (size_t)face * PLANE_REALS;
-    real4 x = vload4(0, c->x), y = vload4(0, c->y), z = vload4(0, c->z);
-    real4 per_approach = 1 / fma(x, (real4)(real)plane[0], fma(y, (real4)(real)plane[1], z * (real)plane[2]));
-    real4 t = height * per_approach;
-    Patch patch;
-    vstore4(t * x, 0, patch.corners.x);
-    vstore4(t * y, 0, patch.corners.y);
-    vstore4(t * z, 0, patch.corners.z);
-    patch.error = APPROX_ERROR(most_of(t), longest_of(c), most_of(fabs(per_approach)), off);
-    return patch;
-}
-
-/* How far a face's height may be off. */
-INLINE real patch_off(const World *world, int face, const Camera *camera)
-{
-    wide apart = fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2]);
-    return APPROX_OFF((real)apart + vertex_magnitudes(world, face));
-}
-
-/* How much of it lies in the shadow of a light. outside, lanes, stack: as classify_shadow. */
-INLINE ShadowClass classify_shadow_on(const World *world, int face, const Patch *patch, const Camera *camera,
-                                      const wide *light, bool cull_boxes, uint lanes, Stack *stack)
-{
-    Frustum c;
-    real x = (real)(light[0] - camera->eye[0]), y = (real)(light[1] - camera->eye[1]), z = (real)(light[2] - camera->eye[2]);
-    for (int k = 0; k < 4; k++) {
-        c.x[k] = patch->corners.x[k] - x;
-        c.y[k] = patch->corners.y[k] - y;
-        c.z[k] = patch->corners.z[k] - z;
+    const Classification *parent = chain->parent;
+    Classification *found = chain->found;
+    int bounce = found->bounces;
+    UniformHit *hit = found->hits + bounce;
+    chain->corners = camera_frustum(&chain->camera, chain->window);
+    chain->backs = world->counters[COUNT_SKIPPED + SKIP_BACK_FACE];
+    if (parent && bounce < parent->bounces) {
+        *hit = parent->hits[bounce];
+    } else {
+        int from = bounce > 0 ? hit[-1].seen.face : -1;
+        Apex a = apex_of_image(world, &chain->camera, &chain->corners, bounce);
+        found->rest = parent && bounce == parent->bounces ? parent->rest : begin_in_frustum(world, &a, &chain->corners);
+        bool is_full = !chain->tile && bounce == CLASSIFIED_BOUNCES;
+        if (is_full || !MAY_SKIP(world->parameters, SKIP_WHOLE_TILE) ||
+            !find_covering_face(world, &a, &chain->corners, from, chain->rays, &hit->seen, &found->rest))
+            return false;
+        hit->lit = hit->shadowed = 0;
     }
-    real spread = patch->error + 2 * REAL_ROUNDING * GREATER(fabs(x), GREATER(fabs(y), fabs(z)));
-    Apex a = apex_at(light, 0, longest_of(&c) * (1 + 4 * REAL_ROUNDING));
-    return classify_shadow(world, &a, &c, spread, face, cull_boxes, lanes, stack);
+    found->bounces = bounce + 1;
+    make_facet(world, hit->seen, &chain->camera, bounce, f);
+    return true;
 }
 
-/* The apex of rays between corners after so many bounces. */
-INLINE Apex apex_of_image(const World *world, const Camera *camera, const Frustum *corners, int bounces)
+/* Makes as if the last hit had not been found. The tests that were done stay counted. */
+INLINE void forget_facet(const World *world, MirrorChain *chain)
 {
-    real far = (real)(fabs(camera->eye[0]) + fabs(camera->eye[1]) + fabs(camera->eye[2])) + world->view[VIEW_FARTHEST];
-    real spread = (real)bounces * ((real)(256 * WIDE_ROUNDING) * far + 4 * SHIFT_FLOOR);
-    return apex_at(camera->eye, spread, GREATER(world->view[VIEW_LENGTH], longest_of(corners)) * (1 + 8 * REAL_ROUNDING));
+    Classification *found = chain->found;
+    found->bounces--;
+    Apex a = apex_of_image(world, &chain->camera, &chain->corners, found->bounces);
+    found->rest = begin_in_frustum(world, &a, &chain->corners); /* the search had succeeded, and used it up */
+    world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] = chain->backs;
 }
 
-INLINE Traversal begin_in_frustum(const World *world, const Apex *a, const Frustum *corners)
+/* Is the side of the facet that is seen turned to the light? As turned_to_light. */
+INLINE bool faces_the_light(const World *world, const Facet *f, const wide *light)
 {
-    RayBounds all = bounds_of_frustum(a, corners, 0);
-    return begin_traversal(world, &all);
+    wide side = plane_distance_of_point(world, f->face, light);
+    return f->sign < 0 ? side < 0 : side > 0;
 }
 
-enum { CLASSIFIED_BOUNCES = 16, CLASSIFIED_LIGHTS = 32 };
-
-/* What the corners of a window tell of all its pixels, bounce by bounce. */
-typedef struct Classification {
-    int bounces; /* so many are told; of the next one `rest` is left to be searched */
-    CoveringFace faces[CLASSIFIED_BOUNCES];
-    uint facing[CLASSIFIED_BOUNCES]; /* bit i: the face is turned to light i, of the first CLASSIFIED_LIGHTS */
-    uint clear[CLASSIFIED_BOUNCES];  /* nothing is between */
-    uint dark[CLASSIFIED_BOUNCES];   /* something is, everywhere */
-    Traversal rest;
-} Classification;
-
-/* Is it known what is seen first? */
-INLINE bool has_first_hit(const Classification *o) { return o->bounces > 0; }
-
-/* Is the side of the face that is seen turned to the light? As turned_to_light. */
-INLINE bool faces_the_light(const World *world, const CoveringFace *w, const wide *light)
+/* How much of a facet lies in the shadow of light i. PARTLY_SHADOWED: what may block the light is on the stack. */
+INLINE ShadowClass classify_light(const World *world, const MirrorChain *chain, const Patch *patch, int i,
+                                  const wide *position, Stack *stack)
 {
-    wide side = plane_distance_of_point(world, w->face, light);
-    return w->with_normal ? side < 0 : side > 0;
+    int bounce = chain->found->bounces - 1;
+    UniformHit *hit = chain->found->hits + bounce;
+    uint bit = i < FACET_LIGHTS ? 1u << i : 0;
+    if (hit->lit & bit)
+        return LIT;
+    if (hit->shadowed & bit)
+        return SHADOWED;
+    ShadowClass shadow = classify_shadow(world, patch, position, bounce == 0, chain->rays, stack);
+    hit->lit |= shadow == LIT ? bit : 0;
+    hit->shadowed |= shadow == SHADOWED ? bit : 0;
+    return shadow;
 }
 
-/* Its lights, after so many bounces, but for those that are told. */
-INLINE void classify_lights(const World *world, const Camera *camera, const Frustum *corners, int bounce, uint rays,
-                            Classification *o)
+/* Adds light i to a facet. Of a block it is undecided where only some rays see the light; of a tile these are found.
+ * False: an approximate point is too far off. */
+INLINE bool light_facet_by(const World *world, MirrorChain *chain, const Patch *patch, int i, Facet *f)
 {
-    const CoveringFace *w = o->faces + bounce;
-    Patch patch = patch_on(world, w->face, corners, approx_height(world, w->face, camera->eye), patch_off(world, w->face, camera));
-    for (int i = 0; i < min((int)CLASSIFIED_LIGHTS, world->parameters->light_count); i++) {
-        global const real *light = world->lights + i * LIGHT_REALS;
-        wide position[3];
-        light_position(light, position);
-        if ((o->clear[bounce] | o->dark[bounce]) >> i & 1 || !faces_the_light(world, w, position))
-            continue;
-        o->facing[bounce] |= 1u << i;
-        if (!wants_light(world, light))
-            continue;
+    global const real *light = world->lights + i * LIGHT_REALS;
+    wide position[3];
+    light_position(light, position);
+    bool facing = faces_the_light(world, f, position);
+    ShadowClass shadow = SHADOWED;
+    Mask *blocked = 0;
+    if (wants_shadow_rays(world, light, facing)) {
         Stack stack;
         uint backs = world->counters[COUNT_SKIPPED + SKIP_BACK_FACE];
-        ShadowClass shade = classify_shadow_on(world, w->face, &patch, camera, position, bounce == 0, rays, &stack);
-        o->clear[bounce] |= shade == LIT ? 1u << i : 0;
-        o->dark[bounce] |= shade == SHADOWED ? 1u << i : 0;
-        if (shade == PARTLY_SHADOWED)
-            world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* parts of the window ask them again */
-    }
-}
-
-/* Fills the outlook of a window of so many rays. parent: of a window around it, from which it goes on, or NULL. Returns whether it
- * goes to the end, but for the lights. */
-NOINLINE bool classify_window(const World *world, const Window *window, uint rays, const Classification *parent,
-                              Classification *o)
-{
-    Camera camera = camera_of(world);
-    int from = -1, told = parent ? parent->bounces : 0;
-    for (int bounce = 0;; bounce++) {
-        Frustum corners = camera_frustum(&camera, window);
-        CoveringFace *w = o->faces + bounce;
-        if (bounce < told) {
-            *w = parent->faces[bounce];
-            o->facing[bounce] = parent->facing[bounce];
-            o->clear[bounce] = parent->clear[bounce];
-            o->dark[bounce] = parent->dark[bounce];
-        } else {
-            Apex a = apex_of_image(world, &camera, &corners, bounce);
-            o->bounces = bounce;
-            o->rest = parent && bounce == told ? parent->rest : begin_in_frustum(world, &a, &corners);
-            if (bounce == CLASSIFIED_BOUNCES || !MAY_SKIP(world->parameters, SKIP_WHOLE_TILE) ||
-                !find_covering_face(world, &a, &corners, from, rays, w, &o->rest))
-                return false;
-            o->facing[bounce] = o->clear[bounce] = o->dark[bounce] = 0;
+        shadow = facing || chain->tile ? classify_light(world, chain, patch, i, position, &stack) : PARTLY_SHADOWED;
+        if (shadow == PARTLY_SHADOWED && !chain->tile) {
+            world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* parts of the window ask again */
+            chain->decided &= chain->dark;
+            return true;
         }
-        o->bounces = bounce + 1;
-        from = w->face;
-        if (from < 0)
-            return true;
-        classify_lights(world, &camera, &corners, bounce, rays, o);
-        real reflection = world->materials[(size_t)face_material(world, from) * MATERIAL_REALS + MATERIAL_REFLECTION];
-        if (reflection == 0 || bounce == world->parameters->max_bounces)
-            return true;
-        camera = camera_in_mirror(world, from, &camera);
+        if (shadow == PARTLY_SHADOWED) {
+            blocked = chain->tile->blocked[f->light_count];
+            if (!find_part_shadow(world, chain, f, position, &stack, blocked))
+                return false;
+        }
+    }
+    add_light(world, light, facing, shadow, blocked, f);
+    return true;
+}
+
+/* Counts the rays of PARTLY_SHADOWED lights that make no highlight. */
+INLINE void count_dull_rays(const TileRays *tile, Facet *f)
+{
+    for (int i = 0; i < f->light_count; i++) {
+        const FacetLight *light = f->lights + i;
+        if (light->blocked && !light->terms.has_highlight)
+            EACH_PACKET(p)
+                f->dull_rays += mask_count(tile->paths[p].active & ~light->blocked[p]);
     }
 }
 
-#endif
+/* Puts the next lights on a facet, as many as it has room for. False: an approximate point is too far off. */
+NOINLINE bool light_facet(const World *world, MirrorChain *chain, Facet *f)
+{
+    int lights = world->parameters->light_count, end = min(lights, f->next_light + FACET_LIGHTS);
+    Patch patch = patch_of(world, f->face, &chain->camera, &chain->corners, f->height, f->off);
+    f->light_count = 0;
+    for (; f->next_light < end; f->next_light++)
+        if (!light_facet_by(world, chain, &patch, f->next_light, f))
+            return false;
+    if (chain->tile)
+        count_dull_rays(chain->tile, f);
+    else {
+        chain->decided &= chain->dark || end == lights;
+        chain->dark |= !world->parameters->shadow_ambient && chain->found->hits[chain->found->bounces - 1].lit == 0;
+    }
+    return true;
+}

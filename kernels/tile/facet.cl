@@ -1,5 +1,10 @@
-/* A face that a window of the screen sees everywhere, shaded packet by packet, in registers: what is the same for all its pixels
- * is worked out once. docs/algorithm.md, section 11. */
+/* Facets. A facet is a face that all rays of a window hit, with all that is the same for these rays: the image of the
+ * camera in the mirrors before it, the plane, the material, and the lights with their colours.
+ *
+ *     for each packet: for each light that counts on the facet
+ *         colour += the ambient term, and where the light reaches the other two, as packet/light.cl has them
+ *
+ * It buys that nothing is fetched or blended lane by lane, and that the packet stays in registers. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -11,71 +16,77 @@
 #include "packet/light.cl"
 #include "packet/vectors.cl"
 #include "packet/world.cl"
-#include "tile/classify.cl"
-#include "tile/frustum.cl"
-
-#if CLASSIFIES_TILES
+#include "tile/covering_face.cl"
+#include "tile/shadow_class.cl"
 
 /* A light that counts on a facet. */
 typedef struct FacetLight {
-    real at[3];          /* told from the apex of the rays that see the facet */
+    real at[3]; /* from the apex of the rays that hit the facet */
     LightTerms terms;
     bool reaches;        /* at least some lanes */
     const Mask *blocked; /* packet by packet the lanes that it does not reach; NULL: none */
 } FacetLight;
 
-/* More lights than it has room for come in turns. */
+/* A facet has room for so many lights. More of them come in turns. */
+enum { FACET_LIGHTS = 32 };
+
 typedef struct Facet {
     int face; /* -1: it is the background */
+    bool last; /* no ray goes on from here */
     Camera camera;
-    real normal[3], sign, height, off; /* as sketch; the normal times sign is on the rays' side */
-    real eye[3];                       /* told from the apex */
-    bool along_ray;                    /* the viewer is where the ray comes from */
+    real normal[3], sign;  /* the normal times sign is on the rays' side */
+    real height, off;      /* as approx_point takes them */
+    real eye[3];           /* from the apex */
+    bool along_ray;        /* the viewer is where the ray comes from */
     global const real *material;
     real reflection;
-    uint asked, behind, ambient_only, dull; /* so many lights are asked for; are behind it; do not matter; make no highlight */
-    int light_count;
-    FacetLight lights[CLASSIFIED_LIGHTS];
+    uint asked, behind, ambient_only; /* so many lights want shadow rays; are behind it; do not matter */
+    uint dull;      /* so many lights reach all rays, and make no highlight */
+    uint dull_rays; /* lights that reach only some rays and make no highlight: their rays' number, added up */
+    int next_light, light_count;
+    FacetLight lights[FACET_LIGHTS];
 } Facet;
 
 /* camera: its image after so many bounces. The lights are still to be added. */
-INLINE void facet_of(const World *world, const CoveringFace *w, const Camera *camera, int bounces, Facet *f)
+INLINE void make_facet(const World *world, CoveringFace seen, const Camera *camera, int bounces, Facet *f)
 {
-    f->face = w->face;
-    if (w->face < 0)
+    f->face = seen.face;
+    f->last = true;
+    f->asked = f->behind = f->ambient_only = f->dull = f->dull_rays = 0;
+    f->next_light = f->light_count = 0;
+    if (seen.face < 0)
         return;
-    global const wide *plane = world->planes + (size_t)w->face * PLANE_REALS;
+    global const wide *plane = world->planes + (size_t)seen.face * PLANE_REALS;
     f->camera = *camera;
     for (int axis = 0; axis < 3; axis++) {
         f->normal[axis] = (real)plane[axis];
         f->eye[axis] = (real)(view_value(world, VIEW_EYE + axis) - camera->eye[axis]);
     }
-    f->sign = w->with_normal ? -1 : 1;
-    f->height = approx_height(world, w->face, camera->eye);
-    f->off = patch_off(world, w->face, camera);
+    f->sign = seen.with_normal ? -1 : 1;
+    f->height = approx_height(world, seen.face, camera->eye);
+    f->off = APPROX_OFF((real)magnitudes_of(camera->eye) + vertex_magnitudes(world, seen.face));
     f->along_ray = world->parameters->viewer_ray || bounces == 0;
-    f->material = world->materials + (size_t)face_material(world, w->face) * MATERIAL_REALS;
+    f->material = world->materials + (size_t)face_material(world, seen.face) * MATERIAL_REALS;
     f->reflection = f->material[MATERIAL_REFLECTION];
-    f->asked = f->behind = f->ambient_only = f->dull = 0;
-    f->light_count = 0;
+    f->last = f->reflection == 0 || bounces == world->parameters->max_bounces;
 }
 
-/* Is a light to be asked for shadows on a face that is turned to it, or not? */
-INLINE bool asks_light(const World *world, global const real *light, bool facing)
+/* Does a light want shadow rays from a face that is turned to it, or is not? */
+INLINE bool wants_shadow_rays(const World *world, global const real *light, bool facing)
 {
     return wants_light(world, light) && (facing || !MAY_SKIP(world->parameters, SKIP_LIGHT_BEHIND));
 }
 
-/* shade: how much of the facet lies in the light's shadow. blocked: where that is PARTLY_SHADOWED. */
-INLINE void facet_add_light(const World *world, global const real *light, bool facing, ShadowClass shade,
-                            const Mask *blocked, Facet *f)
+/* shadow: how much of the facet lies in the light's shadow. blocked: where, if it is PARTLY_SHADOWED. */
+INLINE void add_light(const World *world, global const real *light, bool facing, ShadowClass shadow,
+                      const Mask *blocked, Facet *f)
 {
     f->behind += !facing && MAY_SKIP(world->parameters, SKIP_LIGHT_BEHIND);
     f->ambient_only += facing && !wants_light(world, light);
-    f->asked += asks_light(world, light, facing);
+    f->asked += wants_shadow_rays(world, light, facing);
     if (!facing)
-        shade = SHADOWED;
-    if (shade == SHADOWED && !world->parameters->shadow_ambient)
+        shadow = SHADOWED;
+    if (shadow == SHADOWED && !world->parameters->shadow_ambient)
         return;
     FacetLight *l = f->lights + f->light_count++;
     wide position[3];
@@ -83,21 +94,19 @@ INLINE void facet_add_light(const World *world, global const real *light, bool f
     for (int axis = 0; axis < 3; axis++)
         l->at[axis] = (real)(position[axis] - f->camera.eye[axis]);
     l->terms = light_terms(world, f->material, light);
-    l->reaches = shade != SHADOWED;
-    l->blocked = shade == PARTLY_SHADOWED ? blocked : 0;
-    f->dull += shade == LIT && !l->terms.has_highlight;
+    l->reaches = shadow != SHADOWED;
+    l->blocked = shadow == PARTLY_SHADOWED ? blocked : 0;
+    f->dull += shadow == LIT && !l->terms.has_highlight;
 }
 
-/* Rays of a tile came to the facet. */
+/* Counts what so many rays would have asked for at the facet. */
 INLINE void count_facet(const World *world, const Facet *f, uint rays)
 {
     world->counters[COUNT_SKIPPED + SKIP_WHOLE_TILE] += rays;
-    if (f->face < 0)
-        return;
     world->counters[COUNT_SHADOW] += rays * f->asked;
     world->counters[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += rays * f->behind;
     world->counters[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += rays * f->ambient_only;
-    world->counters[COUNT_SKIPPED + SKIP_HIGHLIGHT] += rays * f->dull;
+    world->counters[COUNT_SKIPPED + SKIP_HIGHLIGHT] += rays * f->dull + f->dull_rays;
 }
 
 INLINE Vec vec_of(const real *v) { return vec((Lanes)v[0], (Lanes)v[1], (Lanes)v[2]); }
@@ -109,10 +118,9 @@ INLINE ApproxPoint approx_on_facet(const Facet *f, const ScreenPlaces *places, i
     return approx_point(*ahead, (Lanes)f->height, (Lanes)f->off, vec_of(f->normal));
 }
 
-/* Adds the light that packet p's part of the facet sends, as `shade` has it, to `colour`, and the lanes that some light reaches to
- * `lit`. False: a sketch is too rough. */
+/* Adds to `sum` what the active lanes of packet p see of the facet. False: an approximate point is too far off. */
 INLINE bool shade_facet(const World *world, const Facet *f, const ScreenPlaces *places, int p, Mask active,
-                        Vec *colour, Mask *lit)
+                        Illumination *sum)
 {
     Vec ahead, l;
     ApproxPoint approx = approx_on_facet(f, places, p, &ahead);
@@ -122,19 +130,17 @@ INLINE bool shade_facet(const World *world, const Facet *f, const ScreenPlaces *
         return false;
     for (int i = 0; i < f->light_count; i++) {
         const FacetLight *light = f->lights + i;
-        Vec in_shadow = shine_in_shadow(&light->terms), sum = in_shadow;
+        Vec in_shadow = shine_in_shadow(&light->terms), colour = in_shadow;
         Mask reaches = light->blocked ? active & ~light->blocked[p] : active;
         if (light->reaches) {
             if (!approx_towards(&approx, vec_of(light->at), active, &l, &per_length, &share))
                 return false;
-            sum = shine(&light->terms, l, v, normal);
-            *lit |= reaches;
+            colour = shine(&light->terms, l, v, normal);
+            sum->lit |= reaches;
         }
         if (light->blocked)
-            sum = vec_select(reaches, sum, world->parameters->shadow_ambient ? in_shadow : vec(0, 0, 0));
-        *colour = vec_add(*colour, sum);
+            colour = vec_select(reaches, colour, world->parameters->shadow_ambient ? in_shadow : vec(0, 0, 0));
+        sum->colour = vec_add(sum->colour, colour);
     }
     return true;
 }
-
-#endif

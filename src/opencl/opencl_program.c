@@ -61,10 +61,16 @@ static void write_options(const OpenclSession *session, Variant variant, RenderR
     snprintf(options + used, room - used, "%s", session->linear ? " -DLINEAR=1" : "");
 }
 
-/* The kernel file that includes all that the session needs. */
+/* The kernel file that includes all that the session needs. Tiles of several packets are classified where float has
+ * double for its exact rays. */
 static const char *root_of(const OpenclSession *session)
 {
-    return session->casts ? "packet/cast.cl" : session->adaptive ? "adaptive/refine.cl" : "tile/render.cl";
+    if (session->casts)
+        return "packet/cast.cl";
+    if (session->adaptive)
+        return "adaptive/refine.cl";
+    bool classifies = session->precision == PRECISION_FLOAT && session->wide_is_double && session->packets_across > 1;
+    return classifies ? "tile/render.cl" : "packet/render.cl";
 }
 
 static KernelCacheKey key_of(const OpenclSession *session, const char *sources, const char *options)

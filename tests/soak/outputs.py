@@ -311,7 +311,8 @@ def plain_picture(data):
         kept, pixels, at = data[:8], zlib.decompressobj(), 8
         while at < len(data):
             size = int.from_bytes(data[at:at + 4], "big") + 12
-            kept += pixels.decompress(data[at + 8:at + size - 4]) if data[at + 4:at + 8] == b"IDAT" else data[at:at + size]
+            is_pixels = data[at + 4:at + 8] == b"IDAT"
+            kept += pixels.decompress(data[at + 8:at + size - 4]) if is_pixels else data[at:at + size]
             at += size
         return kept if pixels.eof and not pixels.unused_data else data
     except zlib.error:

@@ -1,0 +1,54 @@
+/* The shadow of a light that reaches a part of a facet: ray by ray, among the faces that the window's corners have not
+ * ruled out. Most rays start from approximate points. The exact ones are there for rays that pass an edge too
+ * closely. */
+#include "shared/compiler.cl"
+#include "shared/precision.cl"
+#include "packet/apex.cl"
+#include "packet/approx.cl"
+#include "packet/intersect.cl"
+#include "packet/lanes.cl"
+#include "packet/paths.cl"
+#include "packet/points.cl"
+#include "packet/rays.cl"
+#include "packet/shadow.cl"
+#include "packet/tree.cl"
+#include "packet/vectors.cl"
+#include "packet/world.cl"
+#include "tile/facet.cl"
+#include "tile/mirror_chain.cl"
+
+/* Finds the lanes that a light does not reach. stack: leads to what may block them. False: an approximate point is too
+ * far off. */
+NOINLINE bool find_part_shadow(const World *world, const MirrorChain *chain, const Facet *f, const wide *position,
+                               const Stack *stack, Mask *blocked)
+{
+    int bounces = chain->found->bounces - 1; /* before the facet */
+    Path paths[PACKETS];
+    Ray rays[PACKETS];
+    Nearest nearest[PACKETS];
+    Mask all[PACKETS], uncertain[PACKETS], asking[PACKETS];
+    OriginPacket packets[PACKETS];
+    Vec light = from_apexes(position, f->camera.eye, 0);
+    EACH_PACKET(p) {
+        Vec ahead, l;
+        Lanes share;
+        ApproxPoint approx = approx_on_facet(f, chain->tile->places, p, &ahead);
+        asking[p] = chain->tile->paths[p].active;
+        if (!approx_towards(&approx, light, asking[p], &l, &packets[p].per_end, &share))
+            return false;
+        packets[p].ahead = vec_minus(l);
+        packets[p].slack = SLACK_OF(share);
+        packets[p].active = (Mask)0;
+        packets[p].from = (Mask)f->face;
+        all[p] = (Mask)-1;
+        uncertain[p] = (Mask)(bounces > 0 ? -1 : 0);
+        nearest[p].face = (Mask)f->face;
+        nearest[p].with_normal = (Mask)(f->sign < 0 ? -1 : 0);
+    }
+    rays_after_mirrors(world, chain, bounces, paths, rays);
+    LazyPoints points;
+    begin_points(world, &points, rays, nearest, all, bounces == 0);
+    ShadowGroup group = {position, packets, &points, blocked};
+    find_blocked(world, &group, asking, uncertain, stack);
+    return true;
+}
