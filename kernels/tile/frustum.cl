@@ -2,7 +2,7 @@
  *
  * A ray between the corners is a sum of the corner rays, with weights between 0 and 1. Edge functions and 1/t are
  * linear in a ray. So what holds at all four corners holds for each ray between them (Reshetov, Soupikov, Hurley,
- * "Multi-Level Ray Tracing Algorithm", 2005; docs/algorithm.md, section 11).
+ * "Multi-Level Ray Tracing Algorithm", 2005; docs/bounds.md, section 11).
  *
  *     evaluate the edge functions of the face at the corners, four edges at once
  *     all corners are outside of one edge:   no ray hits the face
