@@ -1,5 +1,5 @@
-/* What leaving work out buys: the scene traced with each kind of work left out that it lets be left out, and with that
- * work done, turn by turn. */
+/* What leaving work out buys. For each kind of work that the scene does not need, two pictures are traced alternately:
+ * one leaves it out, the other does it. */
 #include "bench/bench_skip.h"
 
 #include "bench/bench_measure.h"

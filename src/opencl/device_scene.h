@@ -1,4 +1,4 @@
-/* A scene as the kernels want it: the records and rows of kernels/layout.h, in float or double. */
+/* A scene as the kernels want it: the records and rows of kernels/shared/layout.h, in float or double. */
 #ifndef RECTRAY_DEVICE_SCENE_H
 #define RECTRAY_DEVICE_SCENE_H
 

@@ -1,4 +1,4 @@
-/* A tree as the kernels walk it: two arrays. */
+/* A tree as the kernels traverse it: two arrays. */
 #include "opencl/device_tree.h"
 
 #include "kernels/shared/layout.h"

@@ -1,5 +1,5 @@
-/* A tree as the kernels walk it: two arrays. A node of the bounding volume hierarchy has as many children as the lanes
- * test at once, their boxes side by side (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008, section 3). */
+/* A tree as the kernels traverse it: two arrays. A node of the bounding volume hierarchy has as many children as the
+ * lanes test at once, their boxes side by side (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008, section 3). */
 #ifndef RECTRAY_DEVICE_TREE_H
 #define RECTRAY_DEVICE_TREE_H
 
@@ -8,11 +8,11 @@
 #include <stddef.h>
 
 typedef struct DeviceTree {
-    float *floats; /* as kernels/bvh.cl and kernels/kdtree.cl say */
+    float *floats; /* as kernels/packet/bvh.cl and kernels/packet/kdtree.cl say */
     int *ints;
     size_t float_count, int_count;
     int node_width; /* children per node of a BVH */
-    int stack_size; /* nodes that a walk may have to remember */
+    int stack_size; /* nodes that a traversal may have to remember */
 } DeviceTree;
 
 /* Packs the tree that was built; where there is none, the arrays are empty. closed: of skip_closed_boxes, or NULL.

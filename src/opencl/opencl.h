@@ -8,9 +8,9 @@
 /* A scene on the device that the settings name, with its tree and its kernel, for one picture after another. */
 typedef struct OpenclScene OpenclScene;
 
-/* Puts it there; the scene, and what settings->linear points to, must outlive it.
- * NULL, with the error filled: no such device, no double on it, a kernel that does
- * not compile (with the compiler's log), memory, any failing call by name. */
+/* Puts a scene on the device; the scene, and what settings->linear points to, must outlive it. NULL, with the error
+ * filled: no such device, no double on it, a kernel that does not compile (with the compiler's log), memory, any failing
+ * call by name. */
 OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Error *error);
 
 /* Renders it. The report tells, besides this picture, what was done once for all. Errors: memory, any failing call by
@@ -23,7 +23,7 @@ const RenderReport *opencl_held_report(const OpenclScene *held);
 /* NULL is allowed. */
 void opencl_release(OpenclScene *held);
 
-/* All three for a single picture. */
+/* Holds, renders and releases a scene for a single picture. */
 bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
                    Error *error);
 

@@ -40,7 +40,7 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
 typedef struct Variant {
     AccelKind accel; /* not ACCEL_AUTO */
     int node_width;
-    int stack_size; /* nodes that a walk may have to remember */
+    int stack_size; /* nodes that a traversal may have to remember */
 } Variant;
 
 /* Builds the session's kernel: from the sources embedded in rectray, or from the files of the folder that

@@ -13,7 +13,8 @@ typedef struct Illumination {
     double l_dot_n, n_dot_h; /* clamped at 0 */
 } Illumination;
 
-/* n, l, v: unit vectors, the normal on the viewer's side, to the light, to the viewer. */
+/* What the light adds at a point. n: its unit normal on the viewer's side; l, v: the unit vectors from it to the light
+ * and to the viewer. */
 Illumination illuminate(const Material *material, const Light *light, Vec3 n, Vec3 l, Vec3 v);
 
 bool colour_is_black(Vec3 colour);

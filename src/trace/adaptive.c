@@ -131,9 +131,9 @@ static double unevenness(const Material *material, const Light *light, Vec3 norm
 
 /* --- Along the path --- */
 
-static bool ask(const Judge *judge, BeamQuery *query)
+static bool run(const Judge *judge, BeamQuery *query)
 {
-    beam_ask(query, judge->accel);
+    beam_query_run(query, judge->accel);
     judge->report->box_tests += query->box_tests;
     judge->report->face_tests += query->face_tests;
     return query->crossed_by < 0;
@@ -150,7 +150,7 @@ static AdaptiveReason judge_hit(Judge *judge, int from, int *other)
     if (face >= 0 && (beam_cover(&judge->beam, &scene->faces[face], &query.far) != BEAM_FILLED ||
                       (from >= 0 && !beam_is_farther(&judge->beam, &query.near, &query.far))))
         return ADAPTIVE_EDGE;
-    if (ask(judge, &query))
+    if (run(judge, &query))
         return ADAPTIVE_SAME;
     *other = query.crossed_by;
     return ADAPTIVE_FACE;
@@ -177,7 +177,7 @@ static AdaptiveReason judge_light(const Judge *judge, int index, int *other)
     Beam to_light = beam_from_point(&judge->beam, face, plane, light->position);
     BeamQuery query = beam_query(scene, &to_light, -1, judge->face);
     query.shadow = true;
-    bool clear = ask(judge, &query);
+    bool clear = run(judge, &query);
     *other = query.crossed_by;
     if (!clear)
         return query.filled_by >= 0 ? ADAPTIVE_SAME : ADAPTIVE_SHADOW;

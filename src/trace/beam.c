@@ -1,4 +1,4 @@
-/* Beams and faces. Every function of the direction that is asked here is linear, w.d: over the beam it lies between
+/* Beams and faces. Every function of the direction that is used here is linear, w.d: over the beam it lies between
  * w.c - |w.u| - |w.v| and w.c + |w.u| + |w.v|, both attained at corners. So the answers are exact but for rounding, and
  * BEAM_SLACK times the magnitudes that meet in a value bounds that. */
 #include "trace/beam.h"

@@ -1,6 +1,6 @@
 /* Beams: all rays of a pixel at once. A beam is a pyramid; mirrors and planes map it to other pyramids, for everything
- * that happens to it is linear in the direction. So "does any face cross it?" is asked of the pyramid instead of many
- * rays: see docs/bounds.md, section 12. Every answer errs on the safe side by more than rounding. */
+ * that happens to it is linear in the direction. So one pyramid is tested against a face instead of many rays: see
+ * docs/bounds.md, section 12. Every answer errs on the safe side by more than rounding. */
 #ifndef RECTRAY_BEAM_H
 #define RECTRAY_BEAM_H
 

@@ -18,7 +18,7 @@ static bool is_on_side(const Face *face, const Face *of, const Plane *plane, int
     return off;
 }
 
-/* Is the face surely not in the stretch that is asked about? */
+/* Is the face surely not in the stretch of the query? */
 static bool is_elsewhere(const BeamQuery *query, const Face *face, const BeamPlane *seen)
 {
     const Scene *scene = query->scene;
@@ -30,7 +30,7 @@ static bool is_elsewhere(const BeamQuery *query, const Face *face, const BeamPla
 }
 
 /* False: the query is answered. */
-static bool ask_face(BeamQuery *query, int i)
+static bool query_face(BeamQuery *query, int i)
 {
     const Face *face = &query->scene->faces[i];
     const Beam *beam = &query->beam;
@@ -101,19 +101,19 @@ static bool box_is_beside(BeamQuery *query, Box box)
     return false;
 }
 
-static bool ask_bvh(BeamQuery *query, const Bvh *bvh, int index)
+static bool query_bvh(BeamQuery *query, const Bvh *bvh, int index)
 {
     const BvhNode *node = &bvh->nodes[index];
     if (box_is_elsewhere(query, node->box) || box_is_beside(query, node->box))
         return true;
     for (int i = 0; i < node->count; i++)
-        if (!ask_face(query, bvh->order[node->first + i]))
+        if (!query_face(query, bvh->order[node->first + i]))
             return false;
-    return node->count > 0 || (ask_bvh(query, bvh, index + 1) && ask_bvh(query, bvh, node->first));
+    return node->count > 0 || (query_bvh(query, bvh, index + 1) && query_bvh(query, bvh, node->first));
 }
 
 /* A box here may hold but a part of a face, of which another part may be elsewhere: only the sides tell. */
-static bool ask_kdtree(BeamQuery *query, const KdTree *tree, int index, Box box)
+static bool query_kdtree(BeamQuery *query, const KdTree *tree, int index, Box box)
 {
     const KdNode *node = &tree->nodes[index];
     if (box_is_beside(query, box))
@@ -121,10 +121,10 @@ static bool ask_kdtree(BeamQuery *query, const KdTree *tree, int index, Box box)
     if (node->axis != KDTREE_LEAF) {
         Box below = box, above = box;
         below.high[node->axis] = above.low[node->axis] = node->split;
-        return ask_kdtree(query, tree, index + 1, below) && ask_kdtree(query, tree, node->first, above);
+        return query_kdtree(query, tree, index + 1, below) && query_kdtree(query, tree, node->first, above);
     }
     for (int i = 0; i < node->count; i++)
-        if (!ask_face(query, tree->order[node->first + i]))
+        if (!query_face(query, tree->order[node->first + i]))
             return false;
     return true;
 }
@@ -139,13 +139,13 @@ BeamQuery beam_query(const Scene *scene, const Beam *beam, int from, int to)
     return query;
 }
 
-void beam_ask(BeamQuery *query, const Accel *accel)
+void beam_query_run(BeamQuery *query, const Accel *accel)
 {
     if (accel_has_tree(accel) && accel->kind == ACCEL_BVH)
-        ask_bvh(query, &accel->bvh, 0);
+        query_bvh(query, &accel->bvh, 0);
     else if (accel_has_tree(accel))
-        ask_kdtree(query, &accel->kdtree, 0, accel->kdtree.box);
+        query_kdtree(query, &accel->kdtree, 0, accel->kdtree.box);
     else
-        for (int i = 0; i < query->scene->face_count && ask_face(query, i); i++)
+        for (int i = 0; i < query->scene->face_count && query_face(query, i); i++)
             continue;
 }

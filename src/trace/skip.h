@@ -11,7 +11,7 @@ typedef struct SkipText {
     const char *words; /* in the table of --stats */
 } SkipText;
 
-extern const SkipText skip_texts[SKIP_KINDS]; /* by SKIP_... of kernels/skips.h */
+extern const SkipText skip_texts[SKIP_KINDS]; /* by SKIP_... of kernels/shared/skips.h */
 
 /* Is that work to be left out? */
 bool skip_wanted(const RenderSettings *settings, int skip);

@@ -1,7 +1,6 @@
-/* The walkthrough of one pixel: what the reference tracer told while it traced it, as a list of events. The formats
- * (walkthrough_text.c and its like) read the list from the beginning to its end; a WalkthroughPlace follows them, so
- * that each knows which ray, hit and light an event speaks of. To add a format, see
- * walkthrough_formats.h. */
+/* The walkthrough of one pixel: the events that the reference tracer recorded while it traced it, as a list. The
+ * formats (walkthrough_text.c and its like) read the list from the beginning to its end. A WalkthroughPlace follows
+ * them, so that each knows which ray, hit and light an event speaks of. To add a format, see walkthrough_formats.h. */
 #ifndef RECTRAY_WALKTHROUGH_H
 #define RECTRAY_WALKTHROUGH_H
 
