@@ -89,6 +89,54 @@ def find_circle(included):
     return None
 
 
+def declared(header):
+    """The functions that a header of src/ declares, and the types."""
+    text = re.sub(r"/\*.*?\*/|^#.*?(?<!\\)$", "", header.read_text(encoding="utf-8"), flags=re.S | re.M)
+    functions = re.findall(r"^(?!typedef)\w[\w *]*?[ *](\w+)\(", text, re.M)
+    types = re.findall(r"^\} (\w+);", text, re.M) + re.findall(r"^typedef (?:struct|enum) (\w+) ", text, re.M)
+    return functions, types
+
+
+# Words that formulas begin with: they are the book's, not the file's.
+FORMULAS = {"scene/geometry.h": {"plane", "point"}, "scene/light.h": {"illuminate", "colour"}}
+
+
+class Names(unittest.TestCase):
+    def headers(self):
+        return {str(path.relative_to(ROOT / "src")): path for path in sorted((ROOT / "src").rglob("*.h"))}
+
+    def test_a_header_s_guard_is_its_name(self):
+        for name, path in self.headers().items():
+            self.assertIn(f"#ifndef RECTRAY_{path.stem.upper()}_H\n", path.read_text(encoding="utf-8"), name)
+
+    def test_a_function_begins_as_its_file_or_as_a_type_of_it(self):
+        for name, path in self.headers().items():
+            functions, types = declared(path)
+            self.assertTrue(functions or types or "extern" in path.read_text(encoding="utf-8"), name)
+            file_word = path.stem.partition("_")[0]
+            words = {file_word, file_word.removesuffix("s")} | FORMULAS.get(name, set())
+            words |= {re.match(r"[A-Z][a-z0-9]*", kind)[0].lower() for kind in types}
+            for function in functions:
+                self.assertIn(function.partition("_")[0], words, f"{function} in src/{name}")
+
+
+class Parameters(unittest.TestCase):
+    MOST = 8
+
+    def definitions(self):
+        """Each function that a source of src/ defines: its place, its name, how many parameters it takes."""
+        for path in sorted((ROOT / "src").rglob("*.c")):
+            text = re.sub(r"/\*.*?\*/|^#.*?(?<!\\)$", "", path.read_text(encoding="utf-8"), flags=re.S | re.M)
+            for name, parameters in re.findall(r"^\w[\w *]*?[ *](\w+)\(([^;{}]*)\)\s*\{", text, re.M):
+                outside = re.sub(r"\([^()]*\)", "", parameters)
+                yield path.name, name, 1 + outside.count(",")
+
+    def test_no_function_takes_more_than_eight(self):
+        found = list(self.definitions())
+        self.assertGreater(len(found), 800)
+        self.assertEqual([each for each in found if each[2] > self.MOST], [])
+
+
 class Architecture(unittest.TestCase):
     def test_every_folder_has_its_floor(self):
         for top, floors in FLOORS.items():
