@@ -108,7 +108,7 @@ static bool median_process(const BenchScene *scene, const BenchFolder *folder, b
 
 bool bench_process(BenchProcess *result, const BenchScene *scene, const BenchPlan *plan, Error *error)
 {
-    Run cold, warm;
+    Run cold = {0}, warm = {0};
     *result = (BenchProcess){.scene = *scene};
     if (!median_process(scene, &plan->folder, true, plan->repeats / 2, &cold, error) ||
         !median_process(scene, &plan->folder, false, plan->repeats, &warm, error))

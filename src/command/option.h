@@ -7,8 +7,6 @@
 #include "trace/render.h"
 #include "walkthrough/walkthrough_formats.h"
 
-#include <stddef.h>
-
 enum { MAX_OPERANDS = 16 };
 
 /* Whether each pixel gets the whole grid, or only where it needs it. */
@@ -58,7 +56,7 @@ typedef struct Option {
     const char *commands; /* the commands that take it, separated by blanks; "": all */
     const char *help;
     OptionKind kind;
-    size_t field; /* its place in Options, of all kinds but the last */
+    int field; /* the byte of Options where it begins, of all kinds but the last */
     int low, high;
     const char *const *words;                         /* ends in a NULL */
     bool (*set)(Options *options, const char *value); /* false: not a proper value; NULL: none was given */

@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "trace/skip.h"
 
+#include <stddef.h>
 #include <string.h>
 
 /* --- Words --- */
@@ -129,11 +130,11 @@ static bool set_lanes(Options *o, const char *value)
 
 /* --- The table, in the order of --help --- */
 
-#define FLAG(name) .kind = OPTION_FLAG, .field = offsetof(Options, name)
-#define TEXT(name) .kind = OPTION_TEXT, .field = offsetof(Options, name)
+#define FLAG(name) .kind = OPTION_FLAG, .field = (int)offsetof(Options, name)
+#define TEXT(name) .kind = OPTION_TEXT, .field = (int)offsetof(Options, name)
 #define NUMBER(name, least, most) \
-    .kind = OPTION_NUMBER, .field = offsetof(Options, name), .low = (least), .high = (most)
-#define WORD(name, list) .kind = OPTION_WORD, .field = offsetof(Options, name), .words = (list)
+    .kind = OPTION_NUMBER, .field = (int)offsetof(Options, name), .low = (least), .high = (most)
+#define WORD(name, list) .kind = OPTION_WORD, .field = (int)offsetof(Options, name), .words = (list)
 #define OWN(function) .kind = OPTION_OWN, .set = (function)
 
 /* clang-format off */
