@@ -21,6 +21,14 @@ const BenchRung bench_ladder[] = {
     {0},
 };
 
+const BenchRung *bench_rung_named(const char *name)
+{
+    const BenchRung *rung = bench_ladder;
+    while (rung->name && strcmp(rung->name, name) != 0)
+        rung++;
+    return rung;
+}
+
 /* Generates the scene's file, KIND-SIZE.json in the folder. */
 static bool generate(BenchScene *scene, const char *kind_name, int size, const BenchFolder *folder, Error *error)
 {

@@ -15,6 +15,9 @@ typedef struct BenchRung {
 
 extern const BenchRung bench_ladder[]; /* ends in a NULL name */
 
+/* The rung of that name, which must be there. */
+const BenchRung *bench_rung_named(const char *name);
+
 /* The rung as a scene, of the size that it says itself; a generated one is written into the folder. */
 bool bench_rung(const BenchRung *rung, const BenchFolder *folder, BenchScene *scene, Error *error);
 

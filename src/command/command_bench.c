@@ -19,9 +19,12 @@ static const int cities[] = {1, 5, 16, 50, 166, 500, 1666, 5000, 16666, 50000, 1
 
 /* Whole processes are measured on these rungs. */
 static const struct {
-    int rung, columns, rows;
-} process_rungs[] = {{1, 640, 480},   {0, 1920, 1080}, {1, 1920, 1080}, {2, 1920, 1080},
-                     {3, 1920, 1080}, {7, 1920, 1080}, {9, 1920, 1080}};
+    const char *rung;
+    int columns, rows;
+} process_rungs[] = {
+    {"cornell", 640, 480},   {"original", 1920, 1080}, {"cornell", 1920, 1080},   {"mirrors", 1920, 1080},
+    {"gallery", 1920, 1080}, {"city-1k", 1920, 1080},  {"city-200k", 1920, 1080},
+};
 
 /* --- Measuring --- */
 
@@ -87,7 +90,7 @@ static bool measure_scaling(Bench *bench, const Options *options, Error *error)
 static bool measure_processes(Bench *bench, const Options *options, Error *error)
 {
     for (size_t i = 0; i < sizeof process_rungs / sizeof *process_rungs; i++) {
-        const BenchRung *rung = &bench_ladder[process_rungs[i].rung];
+        const BenchRung *rung = bench_rung_named(process_rungs[i].rung);
         BenchProcess *result = &bench->processes[bench->process_count++];
         BenchScene scene;
         announce(options, "rendering", rung->name);
