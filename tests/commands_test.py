@@ -131,6 +131,12 @@ class Render(CommandTest):
         self.assertEqual(json.loads(err)["faces"], 2)
         self.assertIn(b"primary rays", self.render("--stats")[0])
 
+    def test_work_that_may_be_skipped_is_done_on_demand(self):
+        some, none = (json.loads(self.run_program("render", "scene.json", "-o", "a.png", "--stats=json", *words)[0])
+                      for words in ([], ["--no-skip", "all"]))
+        self.assertGreater(sum(some["skipped"].values()), 0)
+        self.assertEqual(sum(none["skipped"].values()), 0)
+
     def test_both_backends_agree_on_a_plain_scene(self):
         self.render("-o", "a.png")
         self.run_program("render", "scene.json", "--precision", "double", "-o", "b.png")
@@ -224,6 +230,11 @@ class Generate(CommandTest):
             self.assertRegex(self.run_program("check", "new.json")[0].decode(), rf"(?m)^  faces +{faces}$")
         self.assertIn("cannot write missing/a.json", self.run_program("generate", "grid", "--size", "2", "-o",
                                                                       "missing/a.json", status=3)[1])
+
+    def test_a_seed_gives_the_same_city_each_time(self):
+        first, again, other = (self.run_program("generate", "city", "--size", "3", "--seed", seed)[0] for seed in "112")
+        self.assertEqual(first, again)
+        self.assertNotEqual(first, other)
 
     def test_a_size_is_asked_for_and_judged_by_the_kind(self):
         self.assertIn("generate menger needs --size N: ", self.run_program("generate", "menger", status=2)[1])

@@ -193,6 +193,24 @@ static void for_each_scene(void (*test)(const char *path))
     globfree(&found);
 }
 
+/* Skips and adaptive sampling leave out what cannot add more than this. */
+static void assert_no_brighter(const char *path)
+{
+    Scene scene = load_small(path, 23, 17);
+    RenderReport report = {0};
+    double brightest = adaptive_brightest(&scene), most = 0;
+    for (int row = 0; row < scene.screen.rows; row++)
+        for (int column = 0; column < scene.screen.columns; column++)
+            most = fmax(most, largest(reference_pixel(&(Tracer){.scene = &scene, .report = &report}, column, row)));
+    TEST_ASSERT_TRUE_MESSAGE(most <= brightest * (1 + 1e-12), path);
+    scene_free(&scene);
+}
+
+static void no_pixel_should_be_brighter_than_the_bound(void)
+{
+    for_each_scene(assert_no_brighter);
+}
+
 /* Pixels so wide that a box beside and behind the eye has corners within all four sides of a beam that goes back. */
 static void adaptive_should_leave_out_what_reaches_behind(void)
 {
@@ -431,6 +449,7 @@ static void adaptive_should_be_the_same_in_both_backends(void)
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(no_pixel_should_be_brighter_than_the_bound);
     RUN_TEST(adaptive_should_leave_an_even_wall_alone);
     RUN_TEST(adaptive_should_find_a_pole_between_all_samples);
     RUN_TEST(adaptive_should_find_the_shadow_of_a_pole);

@@ -159,6 +159,18 @@ class Json(CommandTest):
                     self.assertEqual(tuple(Story(document, self).rgb), picture[row][column])
                     self.assertEqual(tuple(document["events"][-1]["rgb"]), picture[row][column])
 
+    def test_the_json_holds_all_that_a_colour_is_made_of_in_every_scene(self):
+        grazing = {os.path.join(HERE, "tests/scenes/eye_on_a_plane.json")} # t is made of what rounding left
+        for scene in sorted({*glob.glob(os.path.join(HERE, "tests/scenes/*.json"))} - grazing):
+            with open(scene, encoding="utf-8") as file:
+                screen = json.load(file)["screen"]
+            columns, rows = int(screen["columns"]), int(screen["rows"])
+            for k in range(columns * rows // 7, columns * rows, 1 + columns * rows // 3):
+                row, column = divmod(k, columns)
+                with self.subTest(f"rectray trace {scene} --pixel {column},{row} --format json"):
+                    document = self.trace(scene, column, row)
+                    self.assertEqual(Story(document, self).rgb, document["events"][-1]["rgb"])
+
     def test_it_keeps_to_the_schema(self):
         for scene in SCENES:
             for words in ((), ("--verbose", "--accel", "bvh"), ("--verbose", "--accel", "kdtree")):
