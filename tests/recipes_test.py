@@ -1,5 +1,5 @@
-"""The recipes of docs/architecture.md ("How to add") are whole: whoever leaves out one of the places that a recipe names
-fails a test here, or in the suite that the recipe names."""
+"""The recipes of docs/architecture.md ("How to add") are whole: whoever leaves out one of the places that a recipe
+names fails a test here, or in the suite that the recipe names."""
 import json
 import re
 import sys
@@ -107,16 +107,19 @@ class MaterialProperty(Recipe):
 
     def test_the_brightest_colour_takes_each_into_account(self):
         free = {"shininess"} # a highlight's power is at most 1
-        self.each(self.fields - free, "adaptive_brightest", body("src/trace/adaptive.c", "adaptive_brightest"), r"m->{}\b")
+        self.each(self.fields - free, "adaptive_brightest", body("src/trace/adaptive.c", "adaptive_brightest"),
+                  r"m->{}\b")
 
     def test_the_walkthrough_tells_of_each(self):
         for format_ in ("text", "json"):
             text = read_all(f"src/walkthrough/walkthrough_{format_}*.c")
             with self.subTest(format_): # an event has a copy of the reflection
-                self.each(self.fields, f"src/walkthrough/walkthrough_{format_}*.c", text, r"(material->|reflected\.){}\b")
+                self.each(self.fields, f"src/walkthrough/walkthrough_{format_}*.c", text,
+                          r"(material->|reflected\.){}\b")
 
     def test_a_scene_of_the_tests_uses_each(self):
-        scenes = [json.loads(path.read_text(encoding="utf-8")) for path in sorted((ROOT / "tests/scenes").glob("*.json"))]
+        scenes = [json.loads(path.read_text(encoding="utf-8"))
+                  for path in sorted((ROOT / "tests/scenes").glob("*.json"))]
         used = {key for scene in scenes for material in scene.get("materials", {}).values()
                 if isinstance(material, dict) for key, value in material.items() if value not in (0, [0, 0, 0])}
         self.assertEqual(self.fields - used, set(), "tests/scenes/*.json use none of them")
