@@ -36,7 +36,9 @@ kernel void probe_counts(constant Parameters *parameters, global const FaceRecor
         return;
     uint counters[COUNTER_KINDS] = {0};
     for (int face = 0; face < parameters->face_count; face++) {
-        World world = {parameters, faces + face, edges + face * FACE_REALS, planes + face * PLANE_REALS, 1, 0, 0, 0, 0, 0, counters};
+        global const real *its_edges = edges + face * FACE_REALS;
+        global const wide *its_planes = planes + face * PLANE_REALS;
+        World world = {parameters, faces + face, its_edges, its_planes, 1, 0, 0, 0, 0, 0, counters};
         Ray ray = probe_ray(rays, i);
         Hit hit = find_nearest_from_point(&world, &ray, (Mask)-1);
         count += ANY(IS(hit.face >= (Mask)0));
