@@ -90,6 +90,6 @@ lint: ## look for likely mistakes: the style, clang-tidy (.clang-tidy), cppcheck
 	python3 tests/style_test.py
 	@echo "clang-tidy on each source of src/"
 	@printf '%s\n' $(wildcard src/*.c src/*/*.c) | \
-	    xargs -P "$$(nproc)" -I SOURCE .ci/tidy SOURCE $(STANDARD) -Isrc -I. $(LIB_CFLAGS)
+	    xargs -P "$$(nproc)" -I {} .ci/tidy {} $(STANDARD) -Isrc -I. $(LIB_CFLAGS)
 	cppcheck --quiet --std=c99 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	    --suppress=missingIncludeSystem -Isrc -I. -D_POSIX_C_SOURCE=200809L src
