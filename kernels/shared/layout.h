@@ -79,8 +79,7 @@ enum {
     MATERIAL_REALS = 12
 };
 
-/* The first VIEW_REALS are rounded values, the next VIEW_REALS what rounding took away: row[i] + row[VIEW_REALS +
- * i]. */
+/* Value i is row[i], rounded, and row[VIEW_REALS + i], what rounding took away: their sum. */
 enum {
     VIEW_EYE = 0,
     VIEW_FORWARD = 3, /* times the screen's distance */
@@ -96,8 +95,8 @@ enum {
 };
 
 /* A child of a tree's node is the number of another node, a leaf, or NO_CHILD. A leaf has up to LEAF_MAX faces, or it
- * is one side of a closed box: side 2 axis is the low one, 2 axis + 1 the high one. The key of a leaf is the same for
- * all leaves of that side. */
+ * is one side of a closed box: side 2 axis is the low one, 2 axis + 1 the high one. The key of such a leaf is
+ * the same for all leaves of that side. */
 enum { NO_CHILD = -2147483647 - 1, LEAF_BITS = 4, LEAF_MASK = (1 << LEAF_BITS) - 1, LEAF_MAX = 8, NO_SIDE_KEY = -1 };
 #define LEAF(first, count) (~(((first) << LEAF_BITS) | (count)))
 #define SIDE_LEAF(first, side) LEAF(first, LEAF_MAX + 1 + (side))
