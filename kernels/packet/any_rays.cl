@@ -5,6 +5,7 @@
 #include "packet/accel.cl"
 #include "packet/apex.cl"
 #include "packet/intersect.cl"
+#include "packet/intersect_exactly.cl"
 #include "packet/lanes.cl"
 #include "packet/nearest.cl"
 #include "packet/rays.cl"

@@ -129,8 +129,8 @@ INLINE void forget_distances(Stack *stack)
 /* The face at place i of the leaves. */
 INLINE int face_in_leaf(const World *world, int i) { return i; }
 
-/* The next leaf that the bundle of so many rays may meet, roughly the nearest first: the places first .. first + count
- * - 1. False: there is none. */
+/* The next leaf that the bundle of so many rays may meet, roughly the nearest first: `count` places from `first` on.
+ * False: there is none. */
 INLINE bool next_leaf(const World *world, const RayBounds *b, uint rays, Stack *stack, int *first, int *count)
 {
     while (stack->count > 0) {

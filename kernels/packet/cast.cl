@@ -2,7 +2,7 @@
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "packet/any_rays.cl"
-#include "packet/intersect.cl"
+#include "packet/intersect_exactly.cl"
 #include "packet/lanes.cl"
 #include "packet/rays.cl"
 #include "packet/vectors.cl"

@@ -104,8 +104,7 @@ INLINE void forget_distances(Stack *stack)
 /* The face at place i of the leaves. A face may be in several. */
 INLINE int face_in_leaf(const World *world, int i) { return world->tree_ints[world->tree_ints[0] + i]; }
 
-/* The next leaf that the bundle may meet, the nearest first: the places first .. first + count - 1. False: there is
- * none. */
+/* The next leaf that the bundle may meet, the nearest first: `count` places from `first` on. False: there is none. */
 INLINE bool next_leaf(const World *world, const RayBounds *b, uint rays, Stack *stack, int *first, int *count)
 {
     while (stack->count > 0) {

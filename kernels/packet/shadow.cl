@@ -20,6 +20,7 @@
 #include "packet/apex.cl"
 #include "packet/faces.cl"
 #include "packet/intersect.cl"
+#include "packet/intersect_exactly.cl"
 #include "packet/lanes.cl"
 #include "packet/points.cl"
 #include "packet/tree.cl"

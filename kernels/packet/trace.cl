@@ -25,14 +25,13 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* The faces that the rays of a packet have met, bounce by bounce, for adaptive sampling. A face is -1 where the ray
- * left the scene, and TRAIL_ENDED where its path had ended before. */
-#define TRAIL_ENDED -2
-
+/* What the rays of a packet have met, bounce by bounce. Adaptive sampling needs it. */
 typedef struct Trail {
-    Mask faces[PATH_MAX];
+    Mask faces[PATH_MAX]; /* -1: the ray left the scene; TRAIL_ENDED: its path had ended before */
     int count;
 } Trail;
+
+#define TRAIL_ENDED -2
 
 /* Where the rays from the eye start. */
 typedef struct Eye {
@@ -92,7 +91,7 @@ INLINE void find_reflected(const World *world, const Path *paths, real length, c
         g->uncertain[p] = (Mask)-1; /* culling closed boxes is proved for rays from the eye only */
 }
 
-/* Finds the nearest faces of all paths. eye: where they come from; NULL: from its images. resume: as
+/* Finds the nearest faces of all paths. from_eye: the rays come from the eye itself, not from its images. resume: as
  * find_nearest_from. */
 INLINE void find_nearest(const World *world, const Eye *eye, bool from_eye, const Path *paths, const Traversal *resume,
                          const Group *g)

@@ -5,6 +5,7 @@
 #include "packet/any_rays.cl"
 #include "packet/apex.cl"
 #include "packet/intersect.cl"
+#include "packet/intersect_exactly.cl"
 #include "packet/lanes.cl"
 #include "packet/paths.cl"
 #include "packet/points.cl"
