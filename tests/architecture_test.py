@@ -10,16 +10,19 @@ PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 # The folders from the ground up; "" is the top of the tree.
 FLOORS = {
     "src": ["base", "json", "scene", "reader", "trace", "opencl", "picture", "walkthrough", "bench", "command", ""],
-    "kernels": ["shared", "packet", "tile", "adaptive", ""],
+    "kernels": ["shared", "plain", "packet", "tile", "adaptive", ""],
 }
 
 # Folders that do not know each other, although one stands before the other.
 APART = {("json", "scene"), ("opencl", "picture"), ("opencl", "walkthrough"), ("picture", "walkthrough"),
-         ("tile", "adaptive")}
+         ("tile", "adaptive"),
+         ("plain", "packet"), ("plain", "tile"), ("plain", "adaptive")}
 
 # What an included name stands for that the host chooses: opencl_sources.h.
 CHOICES = {"TREE": ["packet/bvh.cl", "packet/kdtree.cl", "packet/all_faces.cl"],
-           "BEAM_TREE": ["adaptive/beam_bvh.cl", "adaptive/beam_kdtree.cl", "adaptive/beam_all_faces.cl"]}
+           "BEAM_TREE": ["adaptive/beam_bvh.cl", "adaptive/beam_kdtree.cl", "adaptive/beam_all_faces.cl"],
+           "PLAIN_TREE": ["plain/bvh.cl", "plain/kdtree.cl", "plain/all_faces.cl"],
+           "ARITHMETIC": ["plain/exact_arithmetic.cl", "plain/textbook_arithmetic.cl"]}
 
 
 def sources(top):

@@ -34,7 +34,7 @@ typedef struct Parameters {
     int refine_count;   /* so many; 0: it renders the pixels' centres */
     int no_skip;        /* bit SKIP_...: that work is done although the scene does not need it */
     int generator;      /* render_adaptive only: sample k of a refined pixel is in row k generator mod grid */
-    int padding;
+    float shift;        /* textbook arithmetic only: how far off its face a point is shifted */
 } Parameters;
 
 /* What all rays need of a face that come near it. In float it is one cache line. */

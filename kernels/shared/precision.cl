@@ -1,11 +1,13 @@
 /* The two types of numbers. Most arithmetic is done in `real`, float or double as the build option REAL_DOUBLE says.
- * Rays, t and hit points are `wide` in both precisions: double wherever the device has it (HAS_DOUBLE). */
+ * Rays, t and hit points are `wide` in both precisions: double wherever the device has it (HAS_DOUBLE).
+ * Textbook arithmetic knows one precision: there the host says HAS_DOUBLE=0, so that wide is real. */
 
 #pragma OPENCL FP_CONTRACT OFF /* a * b + c rounds twice, as on the host; fma() stands where we want one rounding */
 
 #if REAL_DOUBLE || HAS_DOUBLE
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 typedef double wide;
+typedef double3 wide3;
 typedef double4 wide4;
 #define WIDE_ROUNDING 0x1p-53
 #define WIDE_MIN DBL_MIN
@@ -13,6 +15,7 @@ typedef double4 wide4;
 #define PAIRS_LIMIT 0x1p24 /* a value below so many times its error bound has fewer than 24 bits that are sure */
 #else
 typedef float wide;
+typedef float3 wide3;
 typedef float4 wide4;
 #define WIDE_ROUNDING 0x1p-24f
 #define WIDE_MIN FLT_MIN

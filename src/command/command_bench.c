@@ -171,6 +171,8 @@ static bool measure_and_report(Bench *bench, const Options *options, Error *erro
 
 bool command_bench(const Options *options, Error *error)
 {
+    if (!options_agree(options, error))
+        return false;
     if (options->operand_count > 0 && strcmp(options->operands[0], "error") == 0)
         return command_bench_error(options, error);
     if (options->operand_count == 0 && !options->ladder)

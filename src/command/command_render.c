@@ -67,12 +67,21 @@ static void show_notice(void *user, const char *text)
     progress_note(&painter->progress, text);
 }
 
+/* The reference is double; its textbook arithmetic is, unless the user says float. */
+static Precision precision_of(const Options *options)
+{
+    bool textbook = options->settings.arithmetic == ARITHMETIC_TEXTBOOK;
+    bool must_be_double = options->backend == BACKEND_REFERENCE && !(textbook && options->precision_given);
+    return must_be_double ? PRECISION_DOUBLE : options->settings.precision;
+}
+
 static bool trace(const Options *options, const Scene *scene, Painter *painter, RenderReport *report, Error *error)
 {
     BandSink sink = {paint_band, painter};
     painter->rows = scene->screen.rows;
     painter->progress = progress_start(options->progress, options->quiet);
     RenderSettings settings = options->settings;
+    settings.precision = precision_of(options);
     settings.notice = (Notice){show_notice, painter};
     bool done = backend_render(options->backend, scene, &settings, sink, report, error);
     progress_end(&painter->progress);
@@ -156,9 +165,12 @@ bool command_render(const Options *options, Error *error)
 {
     double start = clock_ms();
     Scene scene;
+    if (!options_agree(options, error))
+        return false;
     if (!scene_load(&scene, options->operands[0], error))
         return false;
     Stats stats = stats_begin(&scene, options->backend, options->settings.precision);
+    stats.precision = precision_of(options);
     stats.parse_ms = clock_ms() - start;
     options_note_unused(options);
     scene_override(&scene, options);

@@ -36,7 +36,7 @@ typedef struct Options {
     WalkthroughFormat format;
     StatsFormat stats;
     ProgressMode progress;
-    bool precision_given, pixel_given;
+    bool precision_given, pixel_given, shift_given;
     bool quiet, geometry, verbose, with_scene, ladder, json, help, version;
 } Options;
 

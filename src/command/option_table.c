@@ -5,7 +5,9 @@
 #include "scene/scene.h"
 #include "trace/skip.h"
 
+#include <ctype.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* --- Words --- */
@@ -27,6 +29,15 @@ static bool set_precision(Options *o, const char *value)
     o->settings.precision = (Precision)index;
     o->precision_given = true;
     return index >= 0;
+}
+
+static bool set_shift(Options *o, const char *value)
+{
+    char *end;
+    double shift = strtod(value, &end);
+    o->settings.shift = (float)shift;
+    o->shift_given = true;
+    return (isdigit((unsigned char)value[0]) || value[0] == '.') && *end == '\0' && shift <= SCENE_MAX_SHIFT;
 }
 
 /* The number of the skip that the first `length` characters name; SKIP_KINDS where they name none. */
@@ -180,6 +191,12 @@ const Option option_table[] = {
      NUMBER(settings.device, 0, 9999), .expects = "a number that `rectray devices` lists"},
     {"precision", 'p', "NAME", "render cast bench", "of the OpenCL kernel: float (default) or double",
      OWN(set_precision), .words = render_precisions},
+    {"kernel", 'k', "NAME", "render bench", "packet (default), or plain: one ray per work-item, to be read",
+     WORD(settings.kernel, render_kernels)},
+    {"arithmetic", 0, "NAME", "render bench", "exact (default), or textbook: the taught formulas as they stand",
+     WORD(settings.arithmetic, render_arithmetics)},
+    {"shift", 0, "LENGTH", "render bench", "of points off their faces in textbook arithmetic (default 1e-5)",
+     OWN(set_shift), .expects = "a number from 0 to 1e6, such as 1e-5"},
     {"accel", 'a', "NAME", "render trace cast bench", "auto (default), none, kdtree or bvh: how to find faces",
      WORD(settings.accel, render_accels)},
     {"lanes", 0, "N", "render cast bench", "rays that an OpenCL work-item traces: 1, 4, 8 or 16",

@@ -150,16 +150,30 @@ static bool wrong_value(const Option *option, const char *value, Error *error)
     return error_set(error, ERROR_USAGE, "--%s '%s': expected %s", option->name, value, option_expects(option).text);
 }
 
+bool options_agree(const Options *options, Error *error)
+{
+    bool textbook = options->settings.arithmetic == ARITHMETIC_TEXTBOOK;
+    if (options->shift_given && !textbook)
+        return error_set(error, ERROR_USAGE,
+                         "--shift needs --arithmetic textbook: exact arithmetic finds the shift of each point");
+    if (options->map_file && textbook)
+        return error_set(error, ERROR_USAGE, "--map shows what exact arithmetic does; leave out --arithmetic textbook");
+    return true;
+}
+
 void options_note_unused(const Options *options)
 {
+    bool is_exact = options->settings.arithmetic == ARITHMETIC_EXACT;
     const struct {
         bool given;
         const char *text;
     } notes[] = {
         {options->settings.device >= 0, "--device does nothing"},
         {options->settings.lanes > 0, "--lanes does nothing"},
+        {options->settings.kernel != KERNEL_PACKET, "--kernel does nothing"},
         {options->settings.no_skip != 0, "--no-skip does nothing"},
-        {options->precision_given && options->settings.precision == PRECISION_FLOAT, "--precision float does nothing"},
+        {is_exact && options->precision_given && options->settings.precision == PRECISION_FLOAT,
+         "--precision float does nothing"},
     };
     if (options->backend != BACKEND_REFERENCE || options->quiet)
         return;
@@ -188,7 +202,7 @@ bool options_parse(Options *options, const Command *command, int argc, char **ar
 {
     assert(command->operands_max <= MAX_OPERANDS);
     Grammar grammar = grammar_of(command);
-    *options = (Options){.settings.device = -1, .bounces = -1};
+    *options = (Options){.settings.device = -1, .settings.shift = SCENE_SHIFT, .bounces = -1};
     opterr = 0;
     optind = 0; /* from the beginning, whatever was read before */
     for (int found; (found = getopt_long(argc, argv, grammar.letters, grammar.options, NULL)) != -1;) {

@@ -21,6 +21,9 @@ const Command *options_find_command(const Command *commands, const char *name, E
  * value and the cure. With --help or --version on the line the operands are not looked at. May reorder argv. */
 bool options_parse(Options *options, const Command *command, int argc, char **argv, Error *error);
 
+/* False, with an ERROR_USAGE, where one option makes no sense beside another. */
+bool options_agree(const Options *options, Error *error);
+
 /* Tells, in a line each on stderr, which of the given options do nothing with the backend that was chosen. */
 void options_note_unused(const Options *options);
 

@@ -79,6 +79,7 @@ static Parameters parameters_of(const OpenclScene *held)
     /* A bounce is weak where it cannot change a byte: that needs bytes, and pixels of one path each. */
     if (held->session.linear || held->session.adaptive)
         parameters.no_skip |= 1 << SKIP_WEAK_BOUNCE;
+    parameters.shift = held->session.shift;
     if (held->session.adaptive)
         parameters.generator = adaptive_generator(adaptive_samples(held->pruned.scene.grid));
     return parameters;
@@ -165,8 +166,35 @@ static bool make_kernel(OpenclScene *held, Error *error)
     return held->kernel != NULL;
 }
 
-OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Error *error)
+/* False, with the way out, where the kernel does not do what the settings or the scene ask for. */
+static bool check_settings(const Scene *scene, const RenderSettings *settings, Error *error)
 {
+    if (settings->kernel == KERNEL_PACKET)
+        return settings->arithmetic == ARITHMETIC_EXACT ||
+               error_set(error, ERROR_USAGE, "the packet kernel has no textbook arithmetic; add --kernel plain");
+    if (settings->lanes > 1)
+        return error_set(error, ERROR_USAGE,
+                         "the plain kernel traces one ray per work-item; leave out --lanes, or use --kernel packet");
+    if (scene->adaptive && scene->grid > 1)
+        return error_set(error, ERROR_USAGE,
+                         "the plain kernel does not sample adaptively; use --sampling uniform:N or --kernel packet");
+    return true;
+}
+
+/* The plain kernel leaves out only what its text says, and so does the host for it; a tree is a matter of --accel. */
+static RenderSettings settings_for_kernel(const RenderSettings *settings)
+{
+    RenderSettings own = *settings;
+    if (own.kernel == KERNEL_PLAIN)
+        own.no_skip |= ~(1u << SKIP_TREE);
+    return own;
+}
+
+OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *asked, Error *error)
+{
+    if (!check_settings(scene, asked, error))
+        return NULL;
+    RenderSettings own = settings_for_kernel(asked), *settings = &own;
     OpenclScene *held = calloc(1, sizeof *held);
     if (!held) {
         error_memory(error, "a scene on a device");

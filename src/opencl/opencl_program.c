@@ -18,10 +18,15 @@ static bool choose_lanes(OpenclSession *session, const RenderSettings *settings,
         return error_set(error, ERROR_SYSTEM, "the device %s has no double precision; use --precision float",
                          session->info.name);
     session->precision = settings->precision;
-    session->wide_is_double = session->info.has_double;
+    session->kernel = settings->kernel;
+    session->arithmetic = settings->arithmetic;
+    /* The taught formulas know one precision. */
+    session->wide_is_double = settings->arithmetic == ARITHMETIC_TEXTBOOK ? is_double : session->info.has_double;
     session->lanes = is_double ? session->info.lanes_double : session->info.lanes_float;
     if (settings->lanes > 0)
         session->lanes = settings->lanes;
+    if (settings->kernel == KERNEL_PLAIN)
+        session->lanes = 1;
     session->packet_columns = session->lanes == 16 ? 4 : session->lanes >= 4 ? session->lanes / 2 : 1;
     session->packets_across = session->lanes > 1 ? 2 : 1;
     session->block_across = session->lanes > 1 ? 4 : 1;
@@ -52,7 +57,7 @@ static void write_options(const OpenclSession *session, Variant variant, RenderR
              "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DPACKETS=%d -DPACKETS_ACROSS=%d "
              "-DPACKET_COLUMNS=%d -DPACKET_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
              "-DBLOCK_ACROSS=%d -DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
-             session->lanes, session->precision == PRECISION_DOUBLE, session->info.has_double,
+             session->lanes, session->precision == PRECISION_DOUBLE, session->wide_is_double,
              session->packets_across * session->packets_across, session->packets_across, session->packet_columns,
              session->lanes / session->packet_columns, accel, variant.node_width, session->block_across,
              variant.stack_size, (int)sizeof(FaceRecord), (int)sizeof(Parameters));
@@ -67,6 +72,8 @@ static const char *root_of(const OpenclSession *session)
 {
     if (session->casts)
         return "packet/cast.cl";
+    if (session->kernel == KERNEL_PLAIN)
+        return "plain.cl";
     if (session->adaptive)
         return "adaptive/refine.cl";
     bool classifies = session->precision == PRECISION_FLOAT && session->wide_is_double && session->packets_across > 1;
@@ -158,6 +165,7 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
     double start = clock_ms();
     session->notice = settings->notice;
     session->no_skip = settings->no_skip;
+    session->shift = settings->shift;
     if (!opencl_find_device(settings->device, settings->threads, &session->device, &session->info, error) ||
         !choose_lanes(session, settings, error) || !open_context(session, error))
         return false;
@@ -176,7 +184,8 @@ static const char *tree_of(AccelKind accel)
 bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error)
 {
     double start = clock_ms();
-    char *sources = opencl_sources(root_of(session), tree_of(variant.accel), error);
+    char *sources =
+        opencl_sources(root_of(session), tree_of(variant.accel), render_arithmetics[session->arithmetic], error);
     bool ok = sources != NULL;
     if (ok) {
         write_options(session, variant, report);

@@ -18,14 +18,17 @@ typedef struct OpenclSession {
     int block_across;                   /* so many tiles side by side, and below one another, are a work-item's */
     int block_columns, block_rows;      /* their pixels */
     bool wide_is_double;                /* t comes back as double */
-    bool adaptive;                      /* the kernel is `render_adaptive` */
-    bool casts;  /* it is `cast`; else it is `render`. One is built: a compiler takes seconds for each */
-    bool linear; /* pixels come back as three reals, not clamped, instead of three bytes */
+    KernelKind kernel;
+    Arithmetic arithmetic;
+    bool adaptive; /* the kernel is `render_adaptive` */
+    bool casts;    /* it is `cast`; else it is `render`. One is built: a compiler takes seconds for each */
+    bool linear;   /* pixels come back as three reals, not clamped, instead of three bytes */
     cl_device_id device;
     cl_context context;
     cl_command_queue queue;
     cl_program program;
-    unsigned no_skip; /* as in RenderSettings */
+    unsigned no_skip; /* as in RenderSettings, like the shift */
+    float shift;
     Notice notice;
     KernelCacheKey key; /* of the program */
     bool from_source;   /* it was compiled in this run, not kept from an earlier one */

@@ -11,7 +11,7 @@
 enum { MAX_SOURCES = 96, MAX_SOURCE_BYTES = 1 << 20, MAX_NAME = 128, MAX_LINE = 256 };
 
 typedef struct Expansion {
-    const char *tree;
+    const char *tree, *arithmetic;
     char *text; /* so far; ends in a NUL */
     size_t length, room;
     char done[MAX_SOURCES][MAX_NAME]; /* files that stand in it */
@@ -106,12 +106,18 @@ static bool included_file(const Expansion *e, const char *line, const char *from
     }
     if (sscanf(line, "# include %255s", word) != 1)
         return false;
-    const char *form = strcmp(word, "TREE") == 0        ? "packet/%s.cl"
-                       : strcmp(word, "BEAM_TREE") == 0 ? "adaptive/beam_%s.cl"
-                                                        : NULL;
-    if (form)
-        snprintf(name, MAX_NAME, form, e->tree);
-    return form != NULL;
+    const struct {
+        const char *word, *form, *choice;
+    } choices[] = {
+        {"TREE", "packet/%s.cl", e->tree},
+        {"BEAM_TREE", "adaptive/beam_%s.cl", e->tree},
+        {"PLAIN_TREE", "plain/%s.cl", e->tree},
+        {"ARITHMETIC", "plain/%s_arithmetic.cl", e->arithmetic},
+    };
+    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)
+        if (strcmp(word, choices[i].word) == 0)
+            return snprintf(name, MAX_NAME, choices[i].form, choices[i].choice) < MAX_NAME;
+    return false;
 }
 
 static bool expand(Expansion *e, const char *name, Place includer);
@@ -157,9 +163,9 @@ static bool expand(Expansion *e, const char *name, Place includer)
     return ok;
 }
 
-char *opencl_sources(const char *root, const char *tree, Error *error)
+char *opencl_sources(const char *root, const char *tree, const char *arithmetic, Error *error)
 {
-    Expansion e = {.tree = tree, .error = error};
+    Expansion e = {.tree = tree, .arithmetic = arithmetic, .error = error};
     if (expand(&e, root, (Place){NULL, 0}))
         return e.text;
     free(e.text);

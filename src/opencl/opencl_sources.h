@@ -9,11 +9,13 @@
 /* Returns the text of a kernel file and of all that it includes. The caller frees it.
  *   root   "tile/render.cl" and the like
  *   tree   "bvh", "kdtree" or "all_faces"
+ *   arithmetic   "exact" or "textbook", of the plain kernel
  * Each #include is replaced by the file that it names, the first time; #line directives keep the places of errors.
- * `#include TREE` stands for the file packet/NAME.cl of the tree, `#include BEAM_TREE` for adaptive/beam_NAME.cl.
+ * `#include TREE` stands for the file packet/NAME.cl of the tree, `#include BEAM_TREE` for adaptive/beam_NAME.cl and
+ * `#include PLAIN_TREE` for plain/NAME.cl; `#include ARITHMETIC` for plain/NAME_arithmetic.cl.
  * The files are those inside the program, or those of the folder that the environment variable RECTRAY_KERNELS names.
  * NULL, with the error filled: a file cannot be read, or there is none of that name. The error names the line that
  * includes the file. */
-char *opencl_sources(const char *root, const char *tree, Error *error);
+char *opencl_sources(const char *root, const char *tree, const char *arithmetic, Error *error);
 
 #endif

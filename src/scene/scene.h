@@ -20,6 +20,10 @@ enum {
 #define SCENE_MAX_COLOUR 1e18
 #define SCENE_MAX_SHININESS 1e18
 
+/* How far textbook arithmetic shifts a point off its face: unless told otherwise, and at most. */
+#define SCENE_SHIFT 1e-5f
+#define SCENE_MAX_SHIFT 1e6
+
 typedef struct Camera {
     Vec3 position;
     Vec3 look_at;

@@ -5,6 +5,7 @@
 #include "base/clock.h"
 #include "base/parallel.h"
 #include "trace/reference.h"
+#include "trace/textbook.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,27 +16,43 @@ typedef struct Band {
     const Scene *scene;
     const Accel *accel;
     unsigned char *rgb;
-    double *linear; /* the whole picture's, or NULL */
+    const RenderSettings *settings;
     int first_row;
     RenderReport *counts; /* one per thread: what it has counted in this band */
 } Band;
 
-static void put_pixel(const Band *band, int column, int row, Vec3 colour)
+static Vec3 exact_pixel(const Band *band, RenderReport *counts, int column, int row, unsigned char *rgb)
 {
-    size_t at = ((size_t)row * (size_t)band->scene->screen.columns + (size_t)column) * 3;
-    const double rgb[3] = {colour.x, colour.y, colour.z};
-    for (size_t i = 0; i < 3; i++)
-        band->rgb[at + i] = colour_to_byte(rgb[i]);
-    if (band->linear)
-        memcpy(band->linear + (size_t)band->first_row * (size_t)band->scene->screen.columns * 3 + at, rgb, sizeof rgb);
+    const Tracer tracer = {.scene = band->scene, .accel = band->accel, .report = counts};
+    Vec3 colour = reference_pixel(&tracer, column, row);
+    rgb[0] = colour_to_byte(colour.x);
+    rgb[1] = colour_to_byte(colour.y);
+    rgb[2] = colour_to_byte(colour.z);
+    return colour;
 }
 
-static void render_row(void *data, int row, int thread)
+static Vec3 trace_pixel(const Band *band, RenderReport *counts, int column, int row, unsigned char *rgb)
+{
+    const RenderSettings *settings = band->settings;
+    const Textbook textbook = {band->scene, settings->shift, counts};
+    if (settings->arithmetic == ARITHMETIC_EXACT)
+        return exact_pixel(band, counts, column, row, rgb);
+    return settings->precision == PRECISION_FLOAT ? textbook_pixel_float(&textbook, column, row, rgb)
+                                                  : textbook_pixel(&textbook, column, row, rgb);
+}
+
+static void render_row(void *data, int band_row, int thread)
 {
     const Band *band = data;
-    Tracer tracer = {.scene = band->scene, .accel = band->accel, .report = &band->counts[thread]};
-    for (int column = 0; column < band->scene->screen.columns; column++)
-        put_pixel(band, column, row, reference_pixel(&tracer, column, band->first_row + row));
+    double *linear = band->settings->linear; /* the whole picture's, or NULL */
+    size_t columns = (size_t)band->scene->screen.columns;
+    int row = band->first_row + band_row;
+    for (size_t column = 0; column < columns; column++) {
+        unsigned char *rgb = band->rgb + ((size_t)band_row * columns + column) * 3;
+        Vec3 colour = trace_pixel(band, &band->counts[thread], (int)column, row, rgb);
+        if (linear)
+            memcpy(linear + ((size_t)row * columns + column) * 3, &colour, sizeof colour);
+    }
 }
 
 static void add_counts(RenderReport *report, const RenderReport *counts)
@@ -61,10 +78,10 @@ static void render_band(Band *band, int rows, RenderReport *report)
 }
 
 /* Bands from the top, each handed to the sink when its rows are done. */
-static bool render_bands(const Scene *scene, const Accel *accel, double *linear, BandSink sink, RenderReport *report,
-                         Error *error)
+static bool render_bands(const Scene *scene, const Accel *accel, const RenderSettings *settings, BandSink sink,
+                         RenderReport *report, Error *error)
 {
-    Band band = {.scene = scene, .accel = accel, .linear = linear};
+    Band band = {.scene = scene, .accel = accel, .settings = settings};
     band.rgb = malloc((size_t)scene->screen.columns * 3 * BAND_ROWS);
     band.counts = malloc((size_t)report->threads * sizeof *band.counts);
     bool ok = (band.rgb && band.counts) || error_memory(error, "a band of the picture");
@@ -79,6 +96,17 @@ static bool render_bands(const Scene *scene, const Accel *accel, double *linear,
     return ok;
 }
 
+/* The text has neither trees nor adaptive sampling. */
+static bool check_textbook(const Scene *scene, AccelKind accel, Error *error)
+{
+    if (scene->adaptive && scene->grid > 1)
+        return error_set(error, ERROR_USAGE, "textbook arithmetic has no adaptive sampling; use --sampling uniform:N");
+    if (accel == ACCEL_KDTREE || accel == ACCEL_BVH)
+        return error_set(error, ERROR_USAGE,
+                         "the reference's textbook arithmetic has no tree; leave out --accel, or use --kernel plain");
+    return true;
+}
+
 bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
                       Error *error)
 {
@@ -87,12 +115,15 @@ bool reference_render(const Scene *scene, const RenderSettings *settings, BandSi
     report->lanes = 1;
     strcpy(report->device, "reference");
 
+    bool textbook = settings->arithmetic == ARITHMETIC_TEXTBOOK;
+    if (textbook && !check_textbook(scene, settings->accel, error))
+        return false;
     Accel accel;
     double start = clock_ms();
-    bool ok = accel_build(&accel, scene, settings->accel, settings->threads, error);
+    bool ok = accel_build(&accel, scene, textbook ? ACCEL_NONE : settings->accel, settings->threads, error);
     report->build_ms = clock_ms() - start;
     report->accel = accel.kind;
-    ok = ok && render_bands(scene, &accel, settings->linear, sink, report, error);
+    ok = ok && render_bands(scene, &accel, settings, sink, report, error);
     accel_free(&accel);
     return ok;
 }

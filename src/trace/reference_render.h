@@ -5,8 +5,8 @@
 #include "scene/scene.h"
 #include "trace/render.h"
 
-/* Renders the scene; the bytes do not depend on the number of
- * threads. False with an Error when memory or the sink fails. */
+/* Renders the scene in exact or in textbook arithmetic; the bytes do not depend on the number of threads. False with an
+ * Error when memory or the sink fails, or what is asked for is not in the text. */
 bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
                       Error *error);
 

@@ -14,8 +14,16 @@ typedef enum Backend { BACKEND_OPENCL, BACKEND_REFERENCE } Backend;
 typedef enum Precision { PRECISION_FLOAT, PRECISION_DOUBLE } Precision;
 typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH } AccelKind;
 
+/* The OpenCL kernel: the fast one, packets of rays, or the plain one, a ray per work-item, written to be read. */
+typedef enum KernelKind { KERNEL_PACKET, KERNEL_PLAIN } KernelKind;
+
+/* How a ray is tested against a face: so that rounding decides nothing, or by the taught formulas as they stand. The
+ * second is that of the plain kernel and of textbook.h. */
+typedef enum Arithmetic { ARITHMETIC_EXACT, ARITHMETIC_TEXTBOOK } Arithmetic;
+
 /* What users call them: options, statistics and measurements. Each list ends in a NULL. */
 extern const char *const render_backends[], *const render_precisions[], *const render_accels[];
+extern const char *const render_kernels[], *const render_arithmetics[];
 
 /* What a map of a picture shows of each pixel: map.h. */
 typedef enum MapKind {
@@ -33,7 +41,10 @@ typedef struct Notice {
 } Notice;
 
 typedef struct RenderSettings {
-    Precision precision; /* of the kernel; the reference is always double */
+    Precision precision; /* of the kernel and of textbook arithmetic; the reference is double otherwise */
+    KernelKind kernel;
+    Arithmetic arithmetic;
+    float shift; /* textbook arithmetic: how far off its face a point is shifted */
     AccelKind accel;
     int threads;      /* 0: one per processor */
     int device;       /* number in the list of `rectray devices`; -1: the default */
