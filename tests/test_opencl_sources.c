@@ -12,7 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const char *const ROOTS[] = {"tile/render.cl", "packet/cast.cl", "adaptive/refine.cl"};
+static const char *const ROOTS[] = {"tile/render.cl", "packet/cast.cl", "adaptive/refine.cl", "plain.cl"};
+enum { ROOT_COUNT = sizeof ROOTS / sizeof ROOTS[0] };
 static const char *const TREES[] = {"bvh", "kdtree", "all_faces"};
 
 static char folder[64];
@@ -67,7 +68,7 @@ static const char *expanded(const char *root, const char *tree)
 {
     static char *text;
     free(text);
-    text = opencl_sources(root, tree, &error);
+    text = opencl_sources(root, tree, "exact", &error);
     TEST_ASSERT_NOT_NULL_MESSAGE(text, error.text);
     return text;
 }
@@ -153,7 +154,7 @@ static void the_tree_should_be_the_one_that_the_host_names(void)
 
 static void assert_refused(const char *root, const char *expected)
 {
-    TEST_ASSERT_NULL(opencl_sources(root, "bvh", &error));
+    TEST_ASSERT_NULL(opencl_sources(root, "bvh", "exact", &error));
     TEST_ASSERT_EQUAL_INT(ERROR_SYSTEM, error.kind);
     TEST_ASSERT_EQUAL_STRING(expected, error.text);
 }
@@ -184,7 +185,7 @@ static void a_file_that_is_not_in_the_program_should_be_named(void)
 static void a_tree_that_is_not_in_the_program_should_be_named_with_its_includer(void)
 {
     setenv("RECTRAY_KERNELS", "", 1);
-    TEST_ASSERT_NULL(opencl_sources("packet/cast.cl", "oak", &error));
+    TEST_ASSERT_NULL(opencl_sources("packet/cast.cl", "oak", "exact", &error));
     TEST_ASSERT_EQUAL_INT(ERROR_SYSTEM, error.kind);
     TEST_ASSERT_EQUAL_INT(0, strncmp(error.text, "kernels/packet/", strlen("kernels/packet/")));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error.text, ": there is no kernel file packet/oak.cl in the program"),
@@ -235,16 +236,16 @@ static void assert_places(const char *text)
 static void every_line_of_the_kernels_should_be_where_the_directives_say(void)
 {
     setenv("RECTRAY_KERNELS", "", 1);
-    for (int root = 0; root < 3; root++)
+    for (int root = 0; root < ROOT_COUNT; root++)
         for (int tree = 0; tree < 3; tree++)
             assert_places(expanded(ROOTS[root], TREES[tree]));
 }
 
 static void the_folder_of_the_kernels_should_give_the_program_s_own_text(void)
 {
-    for (int root = 0; root < 3; root++) {
+    for (int root = 0; root < ROOT_COUNT; root++) {
         setenv("RECTRAY_KERNELS", "kernels", 1);
-        char *from_folder = opencl_sources(ROOTS[root], "bvh", &error);
+        char *from_folder = opencl_sources(ROOTS[root], "bvh", "exact", &error);
         TEST_ASSERT_NOT_NULL_MESSAGE(from_folder, error.text);
         setenv("RECTRAY_KERNELS", "", 1);
         TEST_ASSERT_EQUAL_INT(0, strcmp(from_folder, expanded(ROOTS[root], "bvh")));
@@ -269,13 +270,30 @@ static void a_program_should_hold_only_what_its_root_includes(void)
         TEST_ASSERT_FALSE(holds("packet/cast.cl", TREES[tree], "adaptive/"));
         TEST_ASSERT_FALSE(holds("packet/cast.cl", TREES[tree], "packet/shade"));
         TEST_ASSERT_TRUE(holds("tile/render.cl", TREES[tree], "packet/shade"));
+        TEST_ASSERT_FALSE(holds("plain.cl", TREES[tree], "packet/"));
         for (int other = 0; other < 3; other++) {
             char name[64];
             snprintf(name, sizeof name, "packet/%s.cl", TREES[other]);
             TEST_ASSERT_EQUAL_INT(other == tree, holds("packet/cast.cl", TREES[tree], name));
             snprintf(name, sizeof name, "adaptive/beam_%s.cl", TREES[other]);
             TEST_ASSERT_EQUAL_INT(other == tree, holds("adaptive/refine.cl", TREES[tree], name));
+            snprintf(name, sizeof name, "plain/%s.cl", TREES[other]);
+            TEST_ASSERT_EQUAL_INT(other == tree, holds("plain.cl", TREES[tree], name));
         }
+    }
+}
+
+static void arithmetic_should_choose_a_file_of_the_plain_kernel(void)
+{
+    static const char *const arithmetics[] = {"exact", "textbook"};
+    setenv("RECTRAY_KERNELS", "", 1);
+    for (int i = 0; i < 2; i++) {
+        char *text = opencl_sources("plain.cl", "bvh", arithmetics[i], &error);
+        TEST_ASSERT_NOT_NULL_MESSAGE(text, error.text);
+        TEST_ASSERT_EQUAL_INT(i == 0, strstr(text, "#line 1 \"plain/exact_arithmetic.cl\"") != NULL);
+        TEST_ASSERT_EQUAL_INT(i == 1, strstr(text, "#line 1 \"plain/textbook_arithmetic.cl\"") != NULL);
+        TEST_ASSERT_EQUAL_INT(i == 0, strstr(text, "#line 1 \"shared/exact.cl\"") != NULL);
+        free(text);
     }
 }
 
@@ -296,5 +314,6 @@ int main(void)
     RUN_TEST(every_line_of_the_kernels_should_be_where_the_directives_say);
     RUN_TEST(the_folder_of_the_kernels_should_give_the_program_s_own_text);
     RUN_TEST(a_program_should_hold_only_what_its_root_includes);
+    RUN_TEST(arithmetic_should_choose_a_file_of_the_plain_kernel);
     return UNITY_END();
 }

@@ -33,7 +33,8 @@ typedef struct Hit {
     Real3 shifted; /* P moved off the face along N */
 } Hit;
 
-/* --- Vectors --- */
+/* --- Vectors: an operation, a line --- */
+/* clang-format off */
 
 static Real3 rounded(Vec3 a) { return (Real3){(Real)a.x, (Real)a.y, (Real)a.z}; }
 static Vec3 doubles(Real3 a) { return (Vec3){(double)a.x, (double)a.y, (double)a.z}; }
@@ -42,6 +43,9 @@ static Real3 subtract(Real3 a, Real3 b) { return (Real3){a.x - b.x, a.y - b.y, a
 static Real3 scale(Real s, Real3 a) { return (Real3){s * a.x, s * a.y, s * a.z}; }
 static Real3 multiply(Real3 a, Real3 b) { return (Real3){a.x * b.x, a.y * b.y, a.z * b.z}; }
 static Real dot(Real3 a, Real3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Real at_least_zero(Real x) { return x > 0 ? x : 0; }
+
+/* clang-format on */
 
 static Real3 cross(Real3 a, Real3 b)
 {
@@ -54,8 +58,6 @@ static Real3 unit(Real3 a)
     Real length = sqrt(dot(a, a));
     return length > 0 ? (Real3){a.x / length, a.y / length, a.z / length} : a;
 }
-
-static Real at_least_zero(Real x) { return x > 0 ? x : 0; }
 
 /* --- The steps --- */
 
