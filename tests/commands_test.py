@@ -137,6 +137,13 @@ class Render(CommandTest):
         self.assertGreater(sum(some["skipped"].values()), 0)
         self.assertEqual(sum(none["skipped"].values()), 0)
 
+    def test_a_shift_moves_the_points_of_textbook_arithmetic(self):
+        for name, shift in (("a.png", []), ("b.png", ["--shift", "1e-5"]), ("c.png", ["--shift", "0.3"])):
+            self.run_program("render", os.path.abspath("scenes/cornell.json"), "--size", "24x24", "--sampling",
+                             "uniform:1", "--kernel", "plain", "--arithmetic", "textbook", *shift, "-o", name)
+        self.assertEqual(self.bytes_of("a.png"), self.bytes_of("b.png"))
+        self.assertNotEqual(self.bytes_of("a.png"), self.bytes_of("c.png"))
+
     def test_both_backends_agree_on_a_plain_scene(self):
         self.render("-o", "a.png")
         self.run_program("render", "scene.json", "--precision", "double", "-o", "b.png")

@@ -9,6 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests" / "random"))
 
+from architecture_test import sources
 from scenes import Generator # pylint: disable=wrong-import-position
 
 SEEDS = 300
@@ -187,26 +188,21 @@ class Event(Recipe):
 class KernelFile(Recipe):
     """That an included file is there, and on a floor below: tests/architecture_test.py."""
 
+    def setUp(self):
+        self.roots = set(re.findall(r'"([\w/]+\.cl)"', body("src/opencl/opencl_program.c", "root_of")))
+        self.assertGreater(len(self.roots), 2)
+
     def test_each_is_reached_from_a_kernel(self):
-        roots = set(re.findall(r'"(\w+/\w+\.cl)"', body("src/opencl/opencl_program.c", "root_of")))
-        self.assertGreater(len(roots), 2)
-        reached, waiting = set(), roots
+        included = sources("kernels")
+        reached, waiting = set(), self.roots
         while waiting:
             reached |= waiting
-            waiting = set().union(*map(self.included, waiting)) - reached
-        files = {str(path.relative_to(ROOT / "kernels")) for path in (ROOT / "kernels").rglob("*.*")
-                 if path.suffix in (".cl", ".h")}
-        self.assertEqual(files - reached, set(), "no kernel includes these files")
+            waiting = {file for name in waiting for file in included[name]} - reached
+        self.assertEqual(set(included) - reached - {"embed.sh"}, set(), "no kernel includes these files")
 
-    @staticmethod
-    def included(name):
-        text = read(f"kernels/{name}")
-        files = {file if "/" in file else f"{Path(name).parent}/{file}"
-                 for file in re.findall(r'(?m)^\s*#\s*include "([^"]+)"', text)}
-        for word, form in (("TREE", "packet/{}.cl"), ("BEAM_TREE", "adaptive/beam_{}.cl")):
-            if re.search(rf"(?m)^\s*#\s*include {word}\b", text):
-                files |= {form.format(tree) for tree in ("bvh", "kdtree", "all_faces")}
-        return files
+    def test_each_root_is_expanded_by_a_suite(self):
+        roots = re.search(r"ROOTS\[\] = \{(.*?)\}", read("tests/test_opencl_sources.c"), re.S)[1]
+        self.assertEqual(set(re.findall(r'"(.*?)"', roots)), self.roots)
 
 
 class Fuzzer(Recipe):

@@ -12,7 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const char *const ROOTS[] = {"tile/render.cl", "packet/cast.cl", "adaptive/refine.cl", "plain.cl"};
+static const char *const ROOTS[] = {"tile/render.cl", "packet/render.cl", "packet/cast.cl", "adaptive/refine.cl",
+                                    "plain.cl"};
 enum { ROOT_COUNT = sizeof ROOTS / sizeof ROOTS[0] };
 static const char *const TREES[] = {"bvh", "kdtree", "all_faces"};
 

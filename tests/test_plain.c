@@ -1,6 +1,6 @@
 /* The plain kernel against the reference, in both arithmetics, on every scene in scenes/ and tests/scenes/.
- * Exact: in double the same bytes and the same counts; in float off by more than 1/255 as seldom as the packet kernel, and
- * only beside edges. Textbook: the same bytes and counts as textbook.c in either precision, for all that both do is
+ * Exact: in double the same bytes and the same counts; in float off by more than 1/255 as seldom as the packet kernel,
+ * and only beside edges. Textbook: the same bytes and counts as textbook.c in either precision, for all that both do is
  * rounded alike. A new scene file is tested without a word here. */
 #include "opencl/opencl.h"
 #include "reader/scene_json.h"

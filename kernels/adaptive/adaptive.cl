@@ -1,5 +1,5 @@
-/* Adaptive sampling: which pixels need more than the ray through their centre; src/adaptive.c says why. Built only where
- * adaptive sampling is asked for. */
+/* Adaptive sampling: which pixels need more than the ray through their centre; src/trace/adaptive.c says why. Built
+ * only where adaptive sampling is asked for. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -69,15 +69,16 @@ INLINE real point_length(Point p) { return (real)sqrt(point_dot(p, p)); }
 
 INLINE real beam_square(const Beam *b) { return (real)(point_dot(b->u, b->u) + point_dot(b->v, b->v)); }
 
-static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, const Beam *to_light, const Beam *to_viewer,
-                        int packet)
+static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, const Beam *to_light,
+                        const Beam *to_viewer, int packet)
 {
     Vec l = to_light->lanes[packet].real_c, v = to_viewer->lanes[packet].real_c;
     Lanes l_length = sqrt(vec_dot(l, l)), v_length = sqrt(vec_dot(v, v));
     Lanes l_turn = (point_length(to_light->u) + point_length(to_light->v)) / l_length;
     Lanes v_turn = (point_length(to_viewer->u) + point_length(to_viewer->v)) / v_length;
     Mask follow = IS(l_turn <= (Lanes)WIDEST) & IS(v_turn <= (Lanes)WIDEST);
-    Lanes l_square = beam_square(to_light) / (l_length * l_length), v_square = beam_square(to_viewer) / (v_length * v_length);
+    Lanes l_square = beam_square(to_light) / (l_length * l_length),
+          v_square = beam_square(to_viewer) / (v_length * v_length);
     Lanes uneven = diffuse * curved(l_square);
     if (specular == 0)
         return follow ? uneven : (Lanes)(diffuse + specular);
@@ -85,7 +86,8 @@ static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, 
     Vec sum = vec_add(vec_scale(1 / l_length, l), vec_scale(1 / v_length, v));
     Lanes length = sqrt(vec_dot(sum, sum)), h_turn = (l_turn / (1 - l_turn) + v_turn / (1 - v_turn)) / length;
     Mask follow_h = IS(h_turn <= (Lanes)WIDEST);
-    Lanes n_dot_h = -vec_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h, angle = (real)1.1 * h_turn / (1 - h_turn);
+    Lanes n_dot_h = -vec_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h,
+          angle = (real)1.1 * h_turn / (1 - h_turn);
     Lanes change = sqrt(square > (Lanes)0 ? square : (Lanes)0) * angle + (real)0.5 * angle * angle;
     Lanes off = (real)4 / 3 * (curved(l_square) + curved(v_square)) / length +
                 (real)1.25 * (l_square + v_square) / (length * length);
@@ -115,7 +117,8 @@ static void judge_hit(Judge *j, int from, Mask *group)
     if (q.to >= 0)
         beam_edges(j->world, q.beam, q.to, q.far.side, &face);
     Linear beyond;
-    bool asks_beyond = q.to >= 0 && from >= 0, is_beyond = asks_beyond && farther_plane(q.beam, &q.near, &q.far, &beyond);
+    bool asks_beyond = q.to >= 0 && from >= 0,
+         is_beyond = asks_beyond && farther_plane(q.beam, &q.near, &q.far, &beyond);
     EACH_PACKET(k) {
         q.active[k] = asks_beyond && !is_beyond ? (Mask)0 : group[k];
         q.crossed[k] = q.filled[k] = (Mask)0;
@@ -172,7 +175,9 @@ static void judge_light(const Judge *j, int index, Mask *group)
         return;
     if (!p->viewer_ray)
         beam_from_point(j->world, &j->beam, j->face,
-                        point(view_value(j->world, VIEW_EYE), view_value(j->world, VIEW_EYE + 1), view_value(j->world, VIEW_EYE + 2)), &to_eye);
+                        point(view_value(j->world, VIEW_EYE), view_value(j->world, VIEW_EYE + 1),
+                              view_value(j->world, VIEW_EYE + 2)),
+                        &to_eye);
     Vec normal = vec_point(point_scale(j->plane.side, face_normal(j->world, j->face)));
     EACH_PACKET(k) {
         if (!ANY(reached[k]))
@@ -198,7 +203,8 @@ static void judge_group(Judge *j, const Trail *trail, int lane, Mask *group)
             break;
         for (int i = 0; i < p->light_count && any_packet(group); i++)
             judge_light(j, i, group);
-        j->weight *= j->world->materials[(size_t)face_material(j->world, j->face) * MATERIAL_REALS + MATERIAL_REFLECTION];
+        j->weight *=
+            j->world->materials[(size_t)face_material(j->world, j->face) * MATERIAL_REALS + MATERIAL_REFLECTION];
         beam_mirror(j->world, &j->beam, j->face);
         from = j->face;
     }
@@ -225,10 +231,12 @@ static void beam_of_pixels(const World *world, const Tile *tile, int packet, int
     WideVec c = tile->directions[packet];
     b->c0 = point(wide_at(c.x, lane), wide_at(c.y, lane), wide_at(c.z, lane));
     b->apex = point(view_value(world, VIEW_EYE), view_value(world, VIEW_EYE + 1), view_value(world, VIEW_EYE + 2));
-    b->u = point_scale(view_value(world, VIEW_WIDTH) / p->columns / 2,
-                       point(view_value(world, VIEW_RIGHT), view_value(world, VIEW_RIGHT + 1), view_value(world, VIEW_RIGHT + 2)));
-    b->v = point_scale(view_value(world, VIEW_HEIGHT) / p->rows / 2,
-                       point(view_value(world, VIEW_UP), view_value(world, VIEW_UP + 1), view_value(world, VIEW_UP + 2)));
+    b->u = point_scale(
+        view_value(world, VIEW_WIDTH) / p->columns / 2,
+        point(view_value(world, VIEW_RIGHT), view_value(world, VIEW_RIGHT + 1), view_value(world, VIEW_RIGHT + 2)));
+    b->v =
+        point_scale(view_value(world, VIEW_HEIGHT) / p->rows / 2,
+                    point(view_value(world, VIEW_UP), view_value(world, VIEW_UP + 1), view_value(world, VIEW_UP + 2)));
     b->size = point_magnitudes(b->apex);
     b->mirrored = false;
     /* From one pixel's middle to the next it is 2 u, or -2 v. */

@@ -1,6 +1,7 @@
 /* Beams against faces, for adaptive sampling: all rays of a pixel at once, each lane of each packet another pixel. What
- * src/beam.c and src/beam_query.c say, with the same operations in the same order. The pixels of a group see the same faces in
- * the same order, so that their beams share all but the middle direction c, and nearly all that is asked of a face is scalar. */
+ * src/trace/beam.c and src/trace/beam_query.c say, with the same operations in the same order. The pixels of a group
+ * see the same faces in the same order, so that their beams share all but the middle direction c, and nearly all that
+ * is asked of a face is scalar. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -10,7 +11,7 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* Relative to the magnitudes in a value, more than all rounding: of what is computed in wide; what real adds to that. */
+/* Relative to the magnitudes in a value, more than all rounding: of what is computed in wide; what real adds to it. */
 #if REAL_DOUBLE || HAS_DOUBLE
 #define WIDE_SLACK 0x1p-38
 #else
@@ -155,8 +156,8 @@ NOINLINE void beam_from_point(const World *world, const Beam *beam, int face, Po
 
 /* --- Linear functions of the direction --- */
 
-/* w.d over a beam: between w.c -+ extent, and in doubt by `doubt` for each unit of a lane's length, and by `rounding`, that to
- * real, for each unit of its direction. */
+/* w.d over a beam: between w.c -+ extent, and in doubt by `doubt` for each unit of a lane's length, and by `rounding`,
+ * that to real, for each unit of its direction. */
 typedef struct Linear {
     real x, y, z;
     real extent, doubt, rounding;
@@ -175,7 +176,10 @@ INLINE Lanes along_c(const BeamLanes *b, const Linear *f)
     return f->x * b->real_c.x + f->y * b->real_c.y + f->z * b->real_c.z;
 }
 
-INLINE Lanes doubt_of(const BeamLanes *b, const Linear *f) { return f->doubt * b->length + f->rounding * b->real_length; }
+INLINE Lanes doubt_of(const BeamLanes *b, const Linear *f)
+{
+    return f->doubt * b->length + f->rounding * b->real_length;
+}
 
 typedef struct BeamPlane {
     Point q;
@@ -220,7 +224,8 @@ INLINE Mask is_negative(const BeamLanes *b, const Linear *f)
 typedef struct BeamFace {
     int face, count, side;
     Linear edges[4];
-    /* On which sides of a pixel's four the corners are: l -+ across, l -+ down, but for their doubt. Told when first asked. */
+    /* On which sides of a pixel's four the corners are: l -+ across, l -+ down, but for their doubt. Found on
+     * demand. */
     bool has_sides;
     real l[4];
     Linear across[4], down[4];

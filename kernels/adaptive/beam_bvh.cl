@@ -12,7 +12,8 @@ INLINE uint boxes_left(const Cuts *cuts, global const float *planes)
 {
     Lanes magnitude = (Lanes)0;
     for (int axis = 0; axis < 3; axis++) {
-        Lanes low = LOAD_FLOATS(planes + 2 * axis * NODE_WIDTH), high = LOAD_FLOATS(planes + (2 * axis + 1) * NODE_WIDTH);
+        Lanes low = LOAD_FLOATS(planes + 2 * axis * NODE_WIDTH),
+              high = LOAD_FLOATS(planes + (2 * axis + 1) * NODE_WIDTH);
         magnitude += GREATER(fabs(low), fabs(high));
     }
     Mask left = (Mask)-1;
@@ -45,7 +46,8 @@ NOINLINE void traverse_beam(const World *world, BeamQuery *q)
         world->counters[COUNT_BOX_TESTS] += NODE_WIDTH;
         global const int *children = world->tree_ints + (size_t)node * NODE_WIDTH;
         for (int part = 0; part < NODE_WIDTH; part += LANES)
-            for (uint met = boxes_left(&cuts, world->tree_floats + (size_t)node * (6 * NODE_WIDTH) + part); met; met &= met - 1)
+            for (uint met = boxes_left(&cuts, world->tree_floats + (size_t)node * (6 * NODE_WIDTH) + part); met;
+                 met &= met - 1)
                 if (children[part + lowest_bit(met)] != NO_CHILD)
                     stack[count++] = children[part + lowest_bit(met)];
     }

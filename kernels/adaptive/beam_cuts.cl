@@ -7,8 +7,8 @@
 #include "adaptive/beam_query.cl"
 #include "adaptive/group_beam.cl"
 
-/* Planes, on the positive side of which nothing is wanted: w.x > limit. They are the sides of the whole beam, and the planes
- * between which faces are wanted. */
+/* Planes, on the positive side of which nothing is wanted: w.x > limit. They are the sides of the whole beam, and the
+ * planes between which faces are wanted. */
 enum { CUTS_MAX = 6 };
 typedef struct Cuts {
     real w[CUTS_MAX][3], limit[CUTS_MAX], slack[CUTS_MAX];

@@ -1,5 +1,5 @@
-/* Which faces a beam meets on its way: all are asked, or those of a tree. What src/beam_query.c says, for all beams of a group at
- * once. */
+/* Which faces a beam meets on its way: all are asked, or those of a tree. What src/trace/beam_query.c says, for all
+ * beams of a group at once. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -52,7 +52,8 @@ static void intersect_beam(const World *world, BeamQuery *q, const GroupBeam *wh
     BeamPlane seen = beam_plane(world, beam, i);
     int back = q->shadow ? 1 : -1;
     if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && face_bits(face_row(world, i)) & FACE_BACK_OPEN) ||
-        (q->to >= 0 && is_on_side(world, i, q->to, -q->far.side)) || (q->from >= 0 && is_on_side(world, i, q->from, q->near.side)))
+        (q->to >= 0 && is_on_side(world, i, q->to, -q->far.side)) ||
+        (q->from >= 0 && is_on_side(world, i, q->from, q->near.side)))
         return;
     BeamFace face;
     beam_edges(world, beam, i, seen.side, &face);

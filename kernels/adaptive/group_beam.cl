@@ -1,6 +1,6 @@
-/* One beam that holds those of a whole group of pixels. What it is clear of, the reference finds each pixel clear of: the slacks
- * are more than all doubts there and all rounding here, though less than beam.cl's for a lane in float. Nearly all faces and
- * boxes are left out here, in real, all edges or corners at once. */
+/* One beam that holds those of a whole group of pixels. What it is clear of, the reference finds each pixel clear of:
+ * the slacks are more than all doubts there and all rounding here, though less than beam.cl's for a lane in float.
+ * Nearly all faces and boxes are left out here, in real, all edges or corners at once. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -9,7 +9,8 @@
 #include "packet/world.cl"
 #include "adaptive/beam.cl"
 
-/* In the beam's terms a point p from the apex is l (c + a u + b v); but for a positive factor, l a, l b and l are linear in p. */
+/* In the beam's terms a point p from the apex is l (c + a u + b v); but for a positive factor, l a, l b and l are
+ * linear in p. */
 typedef struct GroupBeam {
     real apex[3], size;
     real la[3], lb[3], l[3], side_slack;
@@ -29,7 +30,8 @@ static GroupBeam group_beam(const World *world, const Beam *b)
     Point c = point_add(b->c0, point_add(point_scale(b->middle[0], b->u), point_scale(b->middle[1], b->v)));
     Point uv = point_cross(u, v), vc = point_cross(v, c), cu = point_cross(c, u);
     int sign = point_dot(uv, b->c0) < 0 ? -1 : 1;
-    wide us = point_magnitudes(u), vs = point_magnitudes(v), cs = point_magnitudes(c), crossed = us * vs + vs * cs + cs * us;
+    wide us = point_magnitudes(u), vs = point_magnitudes(v), cs = point_magnitudes(c),
+         crossed = us * vs + vs * cs + cs * us;
     wide farthest = 2 * b->size + world->view[VIEW_FARTHEST];
     GroupBeam whole;
     whole.size = (real)b->size;
@@ -40,7 +42,8 @@ static GroupBeam group_beam(const World *world, const Beam *b)
     real_row(c, whole.c);
     real_row(u, whole.u);
     real_row(v, whole.v);
-    whole.side_slack = (real)(12 * REAL_ROUNDING * crossed + 4 * WIDE_SLACK * b->extent[0] * b->extent[1] * b->width * b->length);
+    whole.side_slack =
+        (real)(12 * REAL_ROUNDING * crossed + 4 * WIDE_SLACK * b->extent[0] * b->extent[1] * b->width * b->length);
     whole.moment_slack = (real)(16 * REAL_ROUNDING * (cs + us + vs));
     whole.apex_slack = 2 * whole.size * whole.moment_slack + (real)(2 * WIDE_SLACK * farthest * b->length);
     whole.height_slack = (real)((8 * REAL_ROUNDING + WIDE_SLACK) * farthest);

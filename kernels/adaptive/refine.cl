@@ -1,5 +1,5 @@
-/* Adaptive sampling renders in two steps: the centres of all pixels, judged by adaptive.cl; then a lattice of samples for those
- * pixels that a centre does not tell. Built only where adaptive sampling is asked for. */
+/* Adaptive sampling renders in two steps: the centres of all pixels, judged by adaptive.cl; then a lattice of samples
+ * for those pixels that a centre does not tell. Built only where adaptive sampling is asked for. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -54,7 +54,8 @@ INLINE void render_centres(const World *world, int first_column, int first_row, 
         pixels.columns[k] = MASK_TO_WIDE(first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
         pixels.rows[k] = MASK_TO_WIDE(p->first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
         rays[k].origin = view_vec(world, VIEW_EYE);
-        rays[k].direction = pixels.directions[k] = direction_to(world, pixels.columns[k], pixels.rows[k], (Wide)0, (Wide)0);
+        rays[k].direction = pixels.directions[k] =
+            direction_to(world, pixels.columns[k], pixels.rows[k], (Wide)0, (Wide)0);
         paths[k].active = even[k] = pixels_inside(p, first_column, first_row, k);
         trails[k].count = 0;
         world->counters[COUNT_PRIMARY] += mask_count(even[k]);
@@ -109,7 +110,8 @@ static void trace_samples(const World *world, const Apex *apex, Refined *pixels,
     EACH_PACKET(k) {
         const Refined *pixel = pixels + min(k, pixel_count - 1);
         rays[k].origin = view_vec(world, VIEW_EYE);
-        rays[k].direction = direction_to(world, (Wide)(wide)pixel->column, (Wide)(wide)pixel->row, MASK_TO_WIDE(i), MASK_TO_WIDE(j));
+        rays[k].direction =
+            direction_to(world, (Wide)(wide)pixel->column, (Wide)(wide)pixel->row, MASK_TO_WIDE(i), MASK_TO_WIDE(j));
         paths[k].active = k < pixel_count ? IS(lane < (Mask)count) : (Mask)0;
     }
     world->counters[COUNT_PRIMARY] += (uint)(pixel_count * count);
@@ -154,7 +156,8 @@ kernel void render_adaptive(constant Parameters *parameters, global const FaceRe
                             global const int *list)
 {
     uint counters[COUNTER_KINDS] = {0};
-    World world = {parameters, faces, edges, planes, parameters->face_count, materials, lights, view, tree_floats, tree_ints, counters};
+    World world = {parameters, faces,       edges,     planes,  parameters->face_count, materials, lights,
+                   view,       tree_floats, tree_ints, counters};
     if (parameters->refine_count > 0) {
         refine(&world, rgb, list);
     } else {

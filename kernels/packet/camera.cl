@@ -35,11 +35,15 @@ INLINE Area area_of_block(constant const Parameters *p, int block, int k)
     return area;
 }
 
-static wide view_value(const World *world, int column) { return (wide)world->view[column] + (wide)world->view[VIEW_REALS + column]; }
+static wide view_value(const World *world, int column)
+{
+    return (wide)world->view[column] + (wide)world->view[VIEW_REALS + column];
+}
 
 static WideVec view_vec(const World *world, int column)
 {
-    return wide_vec((Wide)view_value(world, column), (Wide)view_value(world, column + 1), (Wide)view_value(world, column + 2));
+    return wide_vec((Wide)view_value(world, column), (Wide)view_value(world, column + 1),
+                    (Wide)view_value(world, column + 2));
 }
 
 /* Where packet k begins in its tile. */
@@ -104,7 +108,10 @@ INLINE void mirror(global const wide *normal, wide height, wide *v)
         v[axis] -= 2 * height * normal[axis];
 }
 
-INLINE wide height_of(global const wide *normal, const wide *v) { return normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2]; }
+INLINE wide height_of(global const wide *normal, const wide *v)
+{
+    return normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2];
+}
 
 /* The image of a camera in the plane of a face. */
 INLINE Camera camera_in_mirror(const World *world, int face, const Camera *camera)
@@ -134,6 +141,7 @@ INLINE WideVec camera_direction(const Camera *c, const ScreenPlaces *places, int
 #else
     Wide across = x[0], down = y[0];
 #endif
-    return wide_vec(c->forward[0] + across * c->right[0] + down * c->up[0], c->forward[1] + across * c->right[1] + down * c->up[1],
+    return wide_vec(c->forward[0] + across * c->right[0] + down * c->up[0],
+                    c->forward[1] + across * c->right[1] + down * c->up[1],
                     c->forward[2] + across * c->right[2] + down * c->up[2]);
 }
