@@ -17,7 +17,7 @@
 enum { ROWS_BYTES = 256 * 1024, CHUNK_BYTES = 64 * 1024 };
 
 /* Measured on our scenes as unfiltered rows at 1920x1080: level 2 takes as long as level 1 and makes files 1 to 4 %
- * smaller; a larger table gains nothing. docs/performance.md compares it with zlib. */
+ * smaller; a larger table gains nothing. docs/experiments.md compares it with zlib. */
 enum { LEVEL = 2, LEVEL_BYTES = ISAL_DEF_LVL2_SMALL };
 
 struct ImageWriter {
