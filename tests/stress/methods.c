@@ -2,8 +2,8 @@
 #include "opencl/opencl_cast.h"
 #include "scenes.h"
 #include "suite.h"
-#include "textbook.h"
 #include "trace/reference.h"
+#include "trace/textbook.h"
 
 #include <float.h>
 #include <stdio.h>
@@ -65,13 +65,25 @@ static void nearest_by_tree(const Suite *suite, Method method, const double *ray
     stop_unless(opencl_cast(suite->scene, &settings, rays, count, hits, &report, &error), &error);
 }
 
+static CastHit nearest_by_textbook(const Scene *scene, Ray ray)
+{
+    const Textbook textbook = {.scene = scene};
+    CastHit nearest = {-1, HUGE_VAL};
+    for (int i = 0; i < scene->face_count; i++) {
+        double t = textbook_hit_float(&textbook, i, ray.origin, ray.direction);
+        if (t > 0 && t < nearest.t)
+            nearest = (CastHit){i, t};
+    }
+    return nearest;
+}
+
 void method_nearest(Suite *suite, Method method, const double *rays, long count, CastHit *hits)
 {
     RenderReport report = {0};
     const Tracer tracer = {.scene = suite->scene, .accel = &suite->accel, .report = &report};
     if (method == TEXTBOOK)
         for (long i = 0; i < count; i++)
-            hits[i] = textbook_nearest(suite->scene, rays + 6 * i);
+            hits[i] = nearest_by_textbook(suite->scene, ray_at(rays + 6 * i));
     else if (method == REFERENCE)
         for (long i = 0; i < count; i++)
             hits[i] = reference_nearest(&tracer, ray_at(rays + 6 * i), -1);
@@ -89,12 +101,12 @@ static int count_by_reference(const Scene *scene, Ray ray)
     return count;
 }
 
-static int count_by_textbook(const Scene *scene, const double *ray)
+static int count_by_textbook(const Scene *scene, Ray ray)
 {
+    const Textbook textbook = {.scene = scene};
     int count = 0;
-    double t;
     for (int i = 0; i < scene->face_count; i++)
-        count += textbook_hits(&scene->faces[i], ray, &t);
+        count += textbook_hit_float(&textbook, i, ray.origin, ray.direction) > 0;
     return count;
 }
 
@@ -103,7 +115,7 @@ void method_counts(Suite *suite, Method method, const double *rays, long count, 
     int *counts = malloc((size_t)count * sizeof *counts);
     if (method == TEXTBOOK)
         for (long i = 0; i < count; i++)
-            counts[i] = count_by_textbook(suite->scene, rays + 6 * i);
+            counts[i] = count_by_textbook(suite->scene, ray_at(rays + 6 * i));
     else if (method == REFERENCE)
         for (long i = 0; i < count; i++)
             counts[i] = count_by_reference(suite->scene, ray_at(rays + 6 * i));
@@ -124,11 +136,26 @@ static bool blocked_by_reference(const Scene *scene, const double *segment, int 
     return false;
 }
 
+/* The way to the light, too, is rounded to float. */
+static bool blocked_by_textbook(const Scene *scene, const double *segment, int left)
+{
+    const Textbook textbook = {.scene = scene};
+    double way[3];
+    for (int i = 0; i < 3; i++)
+        way[i] = (double)((float)segment[3 + i] - (float)segment[i]);
+    for (int i = 0; i < scene->face_count; i++) {
+        double t = i == left ? 0 : textbook_hit_float(&textbook, i, vec3_at(segment), vec3_at(way));
+        if (t > 0 && t < 1)
+            return true;
+    }
+    return false;
+}
+
 void method_blocked(Suite *suite, Method method, const double *segments, const int *left, long count, int *blocked)
 {
     if (method == TEXTBOOK)
         for (long i = 0; i < count; i++)
-            blocked[i] = textbook_blocked(suite->scene, segments + 6 * i, left[i]);
+            blocked[i] = blocked_by_textbook(suite->scene, segments + 6 * i, left[i]);
     else if (method == REFERENCE)
         for (long i = 0; i < count; i++)
             blocked[i] = blocked_by_reference(suite->scene, segments + 6 * i, left[i]);
@@ -147,6 +174,15 @@ static void points_by_reference(const Scene *scene, Ray ray, CastHit hit, double
              point_shifted(&scene->faces[hit.face], plane, front ? plane->normal : vec3_negate(plane->normal), p));
 }
 
+static void points_by_textbook(const Scene *scene, Ray ray, CastHit hit, double *point, double *shifted)
+{
+    const Textbook textbook = {.scene = scene, .shift = SCENE_SHIFT};
+    Vec3 p, off;
+    textbook_points_float(&textbook, hit.face, ray.origin, ray.direction, hit.t, &p, &off);
+    vec3_put(point, p);
+    vec3_put(shifted, off);
+}
+
 void method_points(Suite *suite, Method method, const double *rays, long count, CastHit *hits, double *points,
                    double *shifted)
 {
@@ -159,7 +195,7 @@ void method_points(Suite *suite, Method method, const double *rays, long count, 
         if (hits[i].face < 0)
             continue;
         if (method == TEXTBOOK)
-            textbook_points(suite->scene, rays + 6 * i, hits[i], points + 3 * i, shifted + 3 * i);
+            points_by_textbook(suite->scene, ray_at(rays + 6 * i), hits[i], points + 3 * i, shifted + 3 * i);
         else
             points_by_reference(suite->scene, ray_at(rays + 6 * i), hits[i], points + 3 * i, shifted + 3 * i);
     }

@@ -19,7 +19,8 @@ static void write_source(const char *folder, const char *name, const char *text,
 {
     char path[512];
     snprintf(path, sizeof path, "%s/%.*s", folder, (int)strcspn(name, "/"), name);
-    mkdir(path, 0700); /* the folder of the file; it may be there already */
+    if (strchr(name, '/'))
+        mkdir(path, 0700); /* the folder of the file; it may be there already */
     snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE *file = fopen(path, "w");
     if (!file || fputs(text, file) < 0 || fputs(more, file) < 0 || fclose(file) != 0) {
