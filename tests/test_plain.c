@@ -154,6 +154,15 @@ static void plain_double_should_equal_the_reference_on_every_scene(void)
     for_each_scene(compare_double);
 }
 
+static void tall_pictures_should_be_whole(void)
+{
+    Scene scene = load(RICH_SCENE);
+    scene.screen.columns = 3;
+    scene.screen.rows = 700; /* several bands */
+    compare_double(RICH_SCENE, &scene);
+    scene_free(&scene);
+}
+
 static void compare_float(const char *path, const Scene *scene)
 {
     RenderSettings settings = plain(PRECISION_FLOAT, ACCEL_AUTO, ARITHMETIC_EXACT);
@@ -285,6 +294,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(plain_double_should_equal_the_reference_on_every_scene);
+    RUN_TEST(tall_pictures_should_be_whole);
     RUN_TEST(plain_float_should_be_close_to_the_reference_on_every_scene);
     RUN_TEST(plain_kernel_should_give_colours_before_they_are_bytes);
     RUN_TEST(textbook_kernel_should_equal_the_textbook_reference_on_every_scene);

@@ -85,10 +85,10 @@ $(BUILD)/tests/stress/probe_cl.inc: tests/stress/probe.cl
 COUNT ?= 1000
 
 .PHONY: random-scenes
-random-scenes: ## render random scenes on both backends and compare (COUNT=1000 SEED=1); failing ones stay in build/
+random-scenes: ## render random scenes on both backends and compare (COUNT=1000 SEED=1 KERNEL=plain)
 	@$(SETUP) build run test
 	@$(MAKE) --no-print-directory --silent $(RANDOM_COMPARE)
-	@python3 tests/random/run.py $(RANDOM_COMPARE) $(BUILD)/random-scenes $(COUNT) $(SEED)
+	@python3 tests/random/run.py $(RANDOM_COMPARE) $(BUILD)/random-scenes $(COUNT) $(SEED) $(KERNEL)
 
 $(RANDOM_OBJECTS): CPPFLAGS += -Itests
 

@@ -1,9 +1,11 @@
 /* Renders scenes on both backends and compares. From stdin it reads lines "PATH LANES ACCEL" (lanes as --lanes takes
- * them, or 0; accel none, bvh or kdtree), and answers each with one line:
+ * them, or 0, or "plain", the plain kernel; accel none, bvh or kdtree), and answers each with one line:
  *     equal PIXELS OFF                            the double kernel gives the reference's picture and counts of rays;
  *                                                 OFF pixels of the float kernel's are off by more than 1/255
  *     double COLUMN ROW DIFFERENCE                the worst pixel where the double kernel's picture differs
  *     tree COLUMN ROW DIFFERENCE                  the same of the reference's own picture with a tree
+ *     textbook-PRECISION COLUMN ROW DIFFERENCE    the same of both textbook arithmetics, the plain kernel's and the
+ *                                                 reference's
  *     rays WHAT EXPECTED FOUND                    the pictures are equal, a count of rays or refined pixels is not
  *     float PIXELS OFF AWAY COLUMN ROW DIFFERENCE too many pixels are off in float: how many, how many of them are away
  *                                                 from any edge, and the worst (of those, where there are any)
@@ -150,13 +152,39 @@ static void judge_float(const Scene *scene, const Picture *expected, const Pictu
         printf("equal %d %d\n", pixels, off.count);
 }
 
+/* The plain kernel's textbook arithmetic against textbook.c, in both precisions: all pixels and counts are equal. */
+static bool same_textbooks(const Scene *scene, Error *error)
+{
+    static const char *const names[] = {[PRECISION_FLOAT] = "textbook-float", [PRECISION_DOUBLE] = "textbook-double"};
+    RenderSettings settings = {.kernel = KERNEL_PLAIN,
+                               .arithmetic = ARITHMETIC_TEXTBOOK,
+                               .shift = SCENE_SHIFT,
+                               .accel = ACCEL_NONE,
+                               .threads = 1};
+    bool same = true;
+    for (int i = PRECISION_FLOAT; same && i <= PRECISION_DOUBLE; i++) {
+        Picture expected = {0}, found = {0};
+        settings.precision = (Precision)i;
+        bool ok = render(scene, BACKEND_REFERENCE, settings, &expected, error) &&
+                  render(scene, BACKEND_OPENCL, settings, &found, error);
+        if (!ok)
+            printf("failed %s\n", error->text);
+        same = ok && same_pictures(&expected, &found, names[i], true);
+        free(expected.rgb);
+        free(found.rgb);
+    }
+    return same;
+}
+
 static bool compare(const char *path, RenderSettings settings, Error *error)
 {
+    bool plain = settings.kernel == KERNEL_PLAIN;
     Scene scene;
     Picture expected = {0}, by_tree = {0}, in_double = {0}, in_float = {0}, apart = {0};
-    bool ok = scene_load(&scene, path, error) &&
-              render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_NONE, .threads = 1}, &expected, error);
+    bool ok = scene_load(&scene, path, error);
+    scene.adaptive = scene.adaptive && !plain;
     ok = ok &&
+         render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_NONE, .threads = 1}, &expected, error) &&
          render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = settings.accel, .threads = 1}, &by_tree, error);
     settings.no_skip = settings.accel == ACCEL_NONE ? DOES_ALL : 0;
     settings.precision = PRECISION_DOUBLE;
@@ -167,8 +195,8 @@ static bool compare(const char *path, RenderSettings settings, Error *error)
     settings.no_skip |= 1u << SKIP_WHOLE_TILE;
     ok = ok && (!by_tiles || render(&scene, BACKEND_OPENCL, settings, &apart, error));
     if (ok && same_pictures(&expected, &by_tree, "tree", true) &&
-        same_pictures(&expected, &in_double, "double", settings.accel == ACCEL_NONE) &&
-        (!by_tiles || same_by_whole_tiles(&apart, &in_float)))
+        same_pictures(&expected, &in_double, "double", plain || settings.accel == ACCEL_NONE) &&
+        (!by_tiles || same_by_whole_tiles(&apart, &in_float)) && (!plain || same_textbooks(&scene, error)))
         judge_float(&scene, &expected, &in_float);
     free(expected.rgb);
     free(by_tree.rgb);
@@ -181,10 +209,11 @@ static bool compare(const char *path, RenderSettings settings, Error *error)
 
 int main(void)
 {
-    static char path[4096], accel[16];
+    static char path[4096], lanes[16], accel[16];
     static Error error;
-    for (int lanes; scanf("%4095s %d %15s", path, &lanes, accel) == 3;) {
-        RenderSettings settings = {.lanes = lanes,
+    while (scanf("%4095s %15s %15s", path, lanes, accel) == 3) {
+        RenderSettings settings = {.kernel = strcmp(lanes, "plain") == 0 ? KERNEL_PLAIN : KERNEL_PACKET,
+                                   .lanes = (int)strtol(lanes, NULL, 10),
                                    .accel = strcmp(accel, "none") == 0  ? ACCEL_NONE
                                             : strcmp(accel, "bvh") == 0 ? ACCEL_BVH
                                                                         : ACCEL_KDTREE};

@@ -2,7 +2,8 @@
 """Renders COUNT random scenes on both backends and compares (scenes.py makes them, compare.c judges). Their seeds are
 SEED, SEED + 1, ... A scene that fails stays in FOLDER, as it was made and reduced to what the failure needs.
 The last line sums up: "N passed, N failed".
-Usage: run.py COMPARE FOLDER COUNT SEED    COMPARE: the program built from compare.c"""
+Usage: run.py COMPARE FOLDER COUNT SEED [KERNEL]    COMPARE: the program built from compare.c
+KERNEL: plain, for the plain kernel alone"""
 import copy
 import itertools
 import json
@@ -15,6 +16,7 @@ import scenes
 
 # What the kernels can be built for: each takes seconds to compile, once.
 BUILDS = [(lanes, accel) for lanes in (1, 4, 8, 16) for accel in ("none", "bvh")] + [(8, "kdtree"), (16, "kdtree")]
+PLAIN_BUILDS = [("plain", accel) for accel in ("none", "bvh", "kdtree")]
 ADAPTIVE_BUILDS = [(8, "bvh"), (16, "none")]
 
 
@@ -95,23 +97,25 @@ def reduce(comparer, name, text, files, build, kind):
 
 def explain(comparer, seed, name, build, verdict):
     path = os.path.join(comparer.folder, name + ".json")
-    print(f"scene {seed} at {build[0]} lanes, --accel {build[1]}: {' '.join(verdict)}")
+    kernel = "--sampling uniform --kernel plain" if build[0] == "plain" else f"--lanes {build[0]}"
+    print(f"scene {seed} with {kernel} --accel {build[1]}: {' '.join(verdict)}")
     print(f"    again: make random-scenes COUNT=1 SEED={seed}")
     if verdict[0] in ("double", "float", "tree", "whole"):
         column, row = verdict[4:6] if verdict[0] == "float" else verdict[1:3]
         how = {"tree": "-b reference", "whole": f"--no-skip whole_tile --lanes {build[0]}"}.get(
-            verdict[0], f"--precision {verdict[0]} --lanes {build[0]}")
+            verdict[0], f"--precision {verdict[0]} {kernel}")
         print(f"    rectray render {path} {how} --accel {build[1]} -o found.png")
         print(f"    rectray render {path} -b reference --accel none -o expected.png")
         print(f"    rectray trace {path} --pixel {column},{row}")
 
 
-def try_scene(comparer, seed):
+def try_scene(comparer, seed, kernel):
     """Returns whether float may be off in the scene, its pixels, and those off in float; None where it fails."""
     name = f"scene-{seed}"
     generator = scenes.Generator(seed, name)
     text, files = generator.scene(), generator.files
-    build = random.Random(-1 - seed).choice(ADAPTIVE_BUILDS if generator.adaptive else BUILDS)
+    builds = PLAIN_BUILDS if kernel == "plain" else ADAPTIVE_BUILDS if generator.adaptive else BUILDS + PLAIN_BUILDS
+    build = random.Random(-1 - seed).choice(builds)
     verdict = comparer.verdict(name, text, files, build)
     if good(verdict, generator):
         for file in [name + ".json", *files]:
@@ -127,12 +131,12 @@ def try_scene(comparer, seed):
     return None
 
 
-def main(program, folder, count, seed):
+def main(program, folder, count, seed, kernel=None):
     os.makedirs(folder, exist_ok=True)
     comparer = Comparer(program, folder)
     passed, pixels, off = 0, [0, 0], [0, 0]
     for i in range(seed, seed + count):
-        result = try_scene(comparer, i)
+        result = try_scene(comparer, i, kernel)
         if result:
             may = result[0]
             passed += 1
@@ -145,4 +149,4 @@ def main(program, folder, count, seed):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])))
+    sys.exit(main(sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4]), *sys.argv[5:]))
