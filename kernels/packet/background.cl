@@ -2,9 +2,9 @@
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/skips.h"
-#include "packet/camera.cl"
 #include "packet/lanes.cl"
 #include "packet/picture.cl"
+#include "packet/tiles.cl"
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 

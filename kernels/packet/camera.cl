@@ -1,40 +1,19 @@
-/* Pixels, packets of them, tiles of packets, and the rays through them. */
+/* The camera and the rays through pixels. docs/algorithm.md, section 1:
+ *
+ *     R = forward + x right + y up
+ *
+ * A plane mirror makes of the camera another camera, its image, of which the same holds. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "packet/apex.cl"
 #include "packet/faces.cl"
 #include "packet/lanes.cl"
+#include "packet/tiles.cl"
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* A packet is PACKET_COLUMNS x PACKET_ROWS = LANES pixels; a tile, whose rays are searched together, is PACKETS of
- * them, PACKETS_ACROSS side by side, as the host's build options say. */
-enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PACKETS_ACROSS * PACKET_ROWS };
-
-/* A work-item renders a block of BLOCK_ACROSS x BLOCK_ACROSS tiles. Area 0 of a block is all of it, 1 to 4 are its
- * quarters. */
-enum { BLOCK_AREAS = BLOCK_ACROSS > 1 ? 5 : 1 };
-enum { BLOCK_COLUMNS = BLOCK_ACROSS * TILE_COLUMNS, BLOCK_ROWS = BLOCK_ACROSS * TILE_ROWS };
-
-#define BLOCKS_ACROSS(p) (((p)->columns + BLOCK_COLUMNS - 1) / BLOCK_COLUMNS)
-
-/* Pixels from (column, row) of the band, as many columns and rows as there are in it; none: 0 or less. */
-typedef struct Area {
-    int column, row, columns, rows;
-} Area;
-
-INLINE Area area_of_block(constant const Parameters *p, int block, int k)
-{
-    int share = k == 0 ? 1 : 2, columns = BLOCK_COLUMNS / share, rows = BLOCK_ROWS / share;
-    Area area;
-    area.column = block % BLOCKS_ACROSS(p) * BLOCK_COLUMNS + (k > 0 ? (k - 1) % 2 * columns : 0);
-    area.row = block / BLOCKS_ACROSS(p) * BLOCK_ROWS + (k > 0 ? (k - 1) / 2 * rows : 0);
-    area.columns = min(columns, p->columns - area.column);
-    area.rows = min(rows, p->band_rows - area.row);
-    return area;
-}
-
+/* A value of the view, with what rounding took from it. */
 static wide view_value(const World *world, int column)
 {
     return (wide)world->view[column] + (wide)world->view[VIEW_REALS + column];
@@ -46,35 +25,32 @@ static WideVec view_vec(const World *world, int column)
                     (Wide)view_value(world, column + 2));
 }
 
-/* Where packet k begins in its tile. */
-#define PACKET_COLUMN(k) ((k) % PACKETS_ACROSS * PACKET_COLUMNS)
-#define PACKET_ROW(k) ((k) / PACKETS_ACROSS * PACKET_ROWS)
-
 INLINE Apex apex_at_eye(const World *world)
 {
     wide eye[3] = {view_value(world, VIEW_EYE), view_value(world, VIEW_EYE + 1), view_value(world, VIEW_EYE + 2)};
     return apex_at(eye, 0, world->view[VIEW_LENGTH]);
 }
 
-/* The places of the tile's columns and rows on the screen: see view_direction in geometry.c. */
+/* The places of a tile's columns and rows on the screen, as view_direction in src/scene/geometry.c has them. */
 typedef struct ScreenPlaces {
     wide x[TILE_COLUMNS], y[TILE_ROWS];
 } ScreenPlaces;
 
-/* The place of sub-column i of a column of pixels, and of sub-row j of a row. */
+/* x of the middle of sub-column i of a column of pixels. */
 INLINE wide screen_x(const World *world, int column, int i)
 {
     constant const Parameters *p = world->parameters;
     return ((column + (i + (wide)0.5) / p->grid) / (wide)p->columns - (wide)0.5) * view_value(world, VIEW_WIDTH);
 }
 
+/* y of the middle of sub-row j of a row of pixels. */
 INLINE wide screen_y(const World *world, int row, int j)
 {
     constant const Parameters *p = world->parameters;
     return ((wide)0.5 - (row + (j + (wide)0.5) / p->grid) / (wide)p->rows) * view_value(world, VIEW_HEIGHT);
 }
 
-/* For the sub-pixels (i, j) of each pixel's grid. */
+/* The places of the sub-pixels (i, j). */
 INLINE ScreenPlaces screen_places(const World *world, int first_column, int first_row, int i, int j)
 {
     ScreenPlaces places;
@@ -85,7 +61,7 @@ INLINE ScreenPlaces screen_places(const World *world, int first_column, int firs
     return places;
 }
 
-/* The camera, or its image in mirrors: pixels at (x, y) of the screen are seen along forward + x right + y up. */
+/* The camera, or its image in mirrors. */
 typedef struct Camera {
     wide eye[3], forward[3], right[3], up[3];
 } Camera;
@@ -102,6 +78,7 @@ INLINE Camera camera_of(const World *world)
     return c;
 }
 
+/* Turns the part of v along the normal round. height: v.N, or for a point its distance from the plane. */
 INLINE void mirror(global const wide *normal, wide height, wide *v)
 {
     for (int axis = 0; axis < 3; axis++)
@@ -127,7 +104,7 @@ INLINE Camera camera_in_mirror(const World *world, int face, const Camera *camer
     return c;
 }
 
-/* The directions R = Q - C of packet k's rays. */
+/* The directions R of packet k's rays. */
 INLINE WideVec camera_direction(const Camera *c, const ScreenPlaces *places, int k)
 {
     const wide *x = places->x + PACKET_COLUMN(k), *y = places->y + PACKET_ROW(k);

@@ -1,23 +1,11 @@
-/* Which pixels of a tile there are, and how their colours come into the picture. A packet of 16 pixels is stored in
- * four rows of twelve bytes. */
+/* How colours come into the picture. A packet of 16 pixels is stored in four rows of twelve bytes. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "packet/bytes.cl"
-#include "packet/camera.cl"
 #include "packet/lanes.cl"
+#include "packet/tiles.cl"
 #include "packet/vectors.cl"
-
-/* The pixels of packet k of the tile that are in the band. */
-INLINE Mask pixels_inside(constant const Parameters *p, int first_column, int first_row, int k)
-{
-    if (first_column + TILE_COLUMNS <= p->columns && first_row + TILE_ROWS <= p->band_rows)
-        return (Mask)-1;
-    Mask number = lane_numbers();
-    Mask column = first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS;
-    Mask row = first_row + PACKET_ROW(k) + number / PACKET_COLUMNS;
-    return IS(column < (Mask)p->columns) & IS(row < (Mask)p->band_rows);
-}
 
 /* A channel of a pixel: a byte. With the build option LINEAR it is the colour itself, a real. */
 #if LINEAR

@@ -7,6 +7,7 @@
 #include "packet/apex.cl"
 #include "packet/camera.cl"
 #include "packet/lanes.cl"
+#include "packet/tiles.cl"
 #include "packet/tree.cl"
 #include "packet/world.cl"
 

@@ -19,6 +19,7 @@
 #include "packet/paths.cl"
 #include "packet/picture.cl"
 #include "packet/rays.cl"
+#include "packet/tiles.cl"
 #include "packet/trace.cl"
 #include "packet/tree.cl"
 #include "packet/vectors.cl"

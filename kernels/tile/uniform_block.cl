@@ -14,6 +14,7 @@
 #include "packet/lanes.cl"
 #include "packet/paths.cl"
 #include "packet/picture.cl"
+#include "packet/tiles.cl"
 #include "packet/vectors.cl"
 #include "packet/window.cl"
 #include "packet/world.cl"
