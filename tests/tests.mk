@@ -55,7 +55,8 @@ $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(patsubst %,$(BUILD)
 $(BUILD)/tests/test_oracle $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: LIBS += -lgmp
 
 $(BUILD)/tests/test_backends $(BUILD)/tests/test_plain: $(BUILD)/tests/support/near_edge.o
-$(BUILD)/tests/test_backends $(BUILD)/tests/test_plain: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
+$(BUILD)/tests/test_plain $(BUILD)/tests/test_textbook: $(BUILD)/tests/support/plain_picture.o
+$(patsubst %,$(BUILD)/tests/test_%,backends plain textbook): LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
 
 # The fuzzers' targets over the inputs that are kept; they too call the library.
 $(BUILD)/tests/test_fuzz: $(FUZZ_OBJECTS)
