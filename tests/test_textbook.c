@@ -1,5 +1,6 @@
-/* Textbook arithmetic: the plain kernel against textbook.c on every scene in scenes/ and tests/scenes/, the same bytes and
- * counts in either precision, for all that both do is rounded alike. A new scene file is tested without a word here. */
+/* Textbook arithmetic: the plain kernel against textbook.c on every scene in scenes/ and tests/scenes/, the same bytes
+ * and counts in either precision, for all that both do is rounded alike. A new scene file is tested without a word
+ * here. */
 #include "trace/render.h"
 
 #include "support/plain_picture.h"

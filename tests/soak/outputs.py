@@ -26,6 +26,7 @@ import os
 import random
 import re
 import shlex
+import signal
 import subprocess
 import sys
 import tempfile
@@ -384,6 +385,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="fewer scenes and kernels")
     parser.add_argument("--compare", nargs=2, metavar=("OLD", "NEW"), help="two manifests or programs, in any mixture")
     words = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143)) # so that the temporary folder goes
     if bool(words.program) == bool(words.compare):
         parser.error("give a program, or --compare and two")
     if words.compare:
