@@ -3,6 +3,7 @@
 
 #include "kernels/shared/layout.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -57,6 +58,7 @@ static void cut_subtree(Cut *cut, int node, CutCosts *costs)
     cut_subtree(cut, node + 1, &left);
     cut_subtree(cut, root->first, &right);
     int width = cut->width, first;
+    assert(left.leaves >= 1 && right.leaves >= 1 && width >= 2);
     costs->leaves = left.leaves + right.leaves < width ? left.leaves + right.leaves : width;
     double alone = box_half_area(root->box) + share(&left, &right, width, &first);
     costs->area[1] = alone;
