@@ -1,6 +1,6 @@
-/* The plain kernel in exact arithmetic against the reference, on every scene in scenes/ and tests/scenes/: in double
- * the same bytes and the same counts; in float off by more than 1/255 as seldom as the packet kernel, and only beside
- * edges. A new scene file is tested without a word here. */
+/* The plain kernel in exact arithmetic against the reference, on every scene in scenes/, scenes/lessons/ and
+ * tests/scenes/: in double the same bytes and the same counts; in float off by more than 1/255 as seldom as the packet
+ * kernel, and only beside edges. A new scene file is tested without a word here. */
 #include "opencl/opencl.h"
 #include "trace/reference_render.h"
 

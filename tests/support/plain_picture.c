@@ -97,8 +97,8 @@ Scene load_small(const char *path)
 
 void for_each_scene(void (*test)(const char *path, const Scene *scene))
 {
-    const char *const patterns[] = {"scenes/*.json", "tests/scenes/*.json"};
-    for (int p = 0; p < 2; p++) {
+    const char *const patterns[] = {"scenes/*.json", "scenes/lessons/*.json", "tests/scenes/*.json"};
+    for (size_t p = 0; p < sizeof patterns / sizeof *patterns; p++) {
         glob_t found;
         TEST_ASSERT_EQUAL_INT_MESSAGE(0, glob(patterns[p], 0, NULL, &found), patterns[p]);
         for (size_t i = 0; i < found.gl_pathc; i++) {

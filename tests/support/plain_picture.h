@@ -1,4 +1,5 @@
-/* Pictures of the plain kernel beside those of the reference, of every scene in scenes/ and tests/scenes/. */
+/* Pictures of the plain kernel beside those of the reference, of every scene in scenes/, scenes/lessons/ and
+ * tests/scenes/. */
 #ifndef RECTRAY_TESTS_PLAIN_PICTURE_H
 #define RECTRAY_TESTS_PLAIN_PICTURE_H
 
