@@ -111,7 +111,7 @@ class Render(CommandTest):
         self.assertEqual(self.render("-q"), (b"", ""))
 
     def test_options_without_effect_are_told_of(self):
-        for words in (["--lanes", "8"], ["--device", "0"], ["--precision", "float"]):
+        for words in (["--lanes", "8"], ["--device", "0"], ["--kernel", "plain"], ["--precision", "float"]):
             self.assertIn(f"note: {words[0]}", self.render(*words)[1])
         self.assertNotIn("note", self.render("--precision", "double")[1])
 
@@ -144,6 +144,30 @@ class Render(CommandTest):
         self.assertEqual(self.bytes_of("a.png"), self.bytes_of("b.png"))
         self.assertNotEqual(self.bytes_of("a.png"), self.bytes_of("c.png"))
 
+    def test_choices_that_do_not_go_together_are_refused_with_the_way_out(self):
+        plain, textbook = ["--kernel", "plain"], ["--arithmetic", "textbook"]
+        reference = ["--backend", "reference", *textbook]
+        for text, *words in (["use --sampling uniform:N or --kernel packet", *plain, "--sampling", "adaptive"],
+                             ["leave out --lanes, or use --kernel packet", *plain, "--lanes", "4"],
+                             ["add --kernel plain", *textbook],
+                             ["--shift needs --arithmetic textbook", "--shift", "0.1"],
+                             ["--shift needs --arithmetic textbook", *plain, "--shift", "0.1"],
+                             ["leave out --arithmetic textbook", *plain, *textbook, "--map", "rays", "map.png"],
+                             ["leave out --accel, or use --kernel plain", *reference, "--accel", "bvh"],
+                             ["use --sampling uniform:N", *reference, "--sampling", "adaptive"],
+                             ["expected a number from 0 to 1e6", *plain, *textbook, "--shift", "-1"],
+                             ["expected a number from 0 to 1e6", *plain, *textbook, "--shift", "1e7"],
+                             ["expected packet or plain", "--kernel", "fast"],
+                             ["expected exact or textbook", "--arithmetic", "rounded"]):
+            self.assertIn(text, self.run_program("render", "scene.json", *words, status=2)[1])
+        self.assertIn("cast takes no --kernel", self.run_program("cast", "scene.json", *plain, status=2)[1])
+
+    def test_the_reference_s_textbook_arithmetic_is_double_or_float(self):
+        for words, precision in (([], "double"), (["-p", "float"], "float"), (["-p", "double"], "double")):
+            out, err = self.render("--arithmetic", "textbook", *words, "--stats=json")
+            self.assertEqual(json.loads(out)["precision"], precision)
+            self.assertNotIn("note", err)
+
     def test_both_backends_agree_on_a_plain_scene(self):
         self.render("-o", "a.png")
         self.run_program("render", "scene.json", "--precision", "double", "-o", "b.png")
@@ -171,12 +195,27 @@ class Kernels(CommandTest):
             self.assertIn(f"packet/intersect.cl:{len(lines) + 2}:", err)
         self.assertEqual(self.files(), ["kernels"])
 
+    def test_an_edit_of_the_plain_kernel_shows_in_the_picture(self):
+        shutil.copytree("kernels", self.path("kernels"))
+        with open(self.path("kernels/plain.cl"), "r+", encoding="utf-8") as file:
+            text = file.read()
+            file.seek(0)
+            self.assertEqual(text.count("l_dot_n * diffuse"), 1)
+            file.write(text.replace("l_dot_n * diffuse", "0.5f * l_dot_n * diffuse"))
+        for name, kernels in (("as-it-is.png", ""), ("edited.png", self.path("kernels"))):
+            self.run_program("render", os.path.abspath("scenes/gallery.json"), "--size", "32x24", "--grid", "1",
+                             "--kernel", "plain", "-o", name, env=dict(os.environ, RECTRAY_KERNELS=kernels))
+        as_it_is, edited = (sum(png_pixels(self.bytes_of(name)), []) for name in ("as-it-is.png", "edited.png"))
+        changed = sum(a != b for a, b in zip(as_it_is, edited))
+        self.assertGreater(changed, len(as_it_is) / 2)
+
     def test_only_the_one_that_runs_is_compiled_and_once(self):
         self.put("rays", "0 0 5 0 0 -1\n")
         for name, *words in (("render", "render", "scene.json", "--grid", "1", "-o", "a.png"),
                              ("render_adaptive", "render", "scene.json", "--sampling", "adaptive:4", "-o", "a.png"),
+                             ("render", "render", "scene.json", "--kernel", "plain", "--grid", "1", "-o", "a.png"),
                              ("cast", "cast", "scene.json", "--rays", "rays")):
-            cache = self.path(name)
+            cache = self.path("cache-of-" + name + words[2])
             self.run_program(*words, env=dict(os.environ, RECTRAY_CACHE_DIR="", POCL_CACHE_DIR=cache))
             compiled = [file for _, _, files in os.walk(cache) for file in files if file.endswith(".so")]
             if compiled: # else the driver is not PoCL
