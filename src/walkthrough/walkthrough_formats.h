@@ -4,6 +4,7 @@
 #define RECTRAY_WALKTHROUGH_FORMATS_H
 
 #include "walkthrough/walkthrough.h"
+#include "walkthrough/walkthrough_step.h"
 
 typedef enum WalkthroughFormat {
     WALKTHROUGH_TEXT,
@@ -16,8 +17,9 @@ typedef enum WalkthroughFormat {
 extern const char *const walkthrough_format_words[];
 
 typedef struct WalkthroughStyle {
-    bool colour;     /* text: ANSI colours */
-    bool with_scene; /* OBJ: the scene's faces, too */
+    bool colour;                             /* text: ANSI colours */
+    bool with_scene;                         /* OBJ: the scene's faces, too */
+    const WalkthroughStepListener *listener; /* text: is told of each step; NULL: nobody is */
 } WalkthroughStyle;
 
 /* Fails only for want of memory. */
@@ -27,5 +29,8 @@ WalkthroughWriter walkthrough_write_text, walkthrough_write_json, walkthrough_wr
 
 /* The writer of a format. */
 WalkthroughWriter *walkthrough_writer(WalkthroughFormat format);
+
+/* For the web page: an answer and the steps of the text, as one JSON object. */
+WalkthroughWriter walkthrough_write_steps;
 
 #endif

@@ -25,7 +25,7 @@ static void print_verdict(const WalkthroughText *text, const AdaptiveVerdict *ve
     const Scene *scene = text->walk->scene;
     InkText face = verdict->reason == ADAPTIVE_SAME || verdict->reason == ADAPTIVE_HIGHLIGHT
                        ? ink_text("%s", "")
-                       : walkthrough_text_face(scene, verdict->face, 40);
+                       : walkthrough_face_words(scene, verdict->face, 40);
     InkText why;
     int hit = verdict->hit + 1, light = verdict->light;
     switch (verdict->reason) {
@@ -93,7 +93,7 @@ static void print_sample(WalkthroughText *text, const Event *event)
     InkText half_row = n == 1 ? half : ink_text("(j + 0.5)/%d", n);
     InkText value = n == 1 ? half : ink_text("%d.5/%d", i, n), value_row = n == 1 ? half : ink_text("%d.5/%d", j, n);
 
-    walkthrough_text_step(text, "The primary ray, from the camera C through the point Q of the screen");
+    walkthrough_text_step(text, STEP_PRIMARY, "The primary ray, from the camera C through the point Q of the screen");
     ink_line(&text->ink, "    x = ((column + %s)/columns - 0.5) width\t= ((%d + %s)/%d - 0.5) %s\t= %s", half.text,
              event->as.sample.column, value.text, view.columns, ink_number(view.width, 6).text,
              ink_number(at.x, 6).text);
@@ -122,7 +122,7 @@ static void print_shaded(WalkthroughText *text, const Event *event)
 {
     int number = walkthrough_hit_number(&text->place);
     text->weight = event->as.shaded.weight;
-    walkthrough_text_step(text, ink_text("What P%d adds to the pixel", number).text);
+    walkthrough_text_step(text, STEP_ADDS, ink_text("What P%d adds to the pixel", number).text);
     if (event->as.shaded.lights_reaching == 0)
         ink_line(&text->ink, "    No light reaches P%d.", number);
     ink_line(&text->ink, "    weight x illumination = %s x %s\t= %s", ink_number(event->as.shaded.weight, 6).text,
@@ -136,7 +136,7 @@ static void print_reflected(WalkthroughText *text, const Event *event)
     int number = walkthrough_hit_number(&text->place);
     Vec3 r = event->as.reflected.r_unit, normal = text->place.hit->as.hit.normal;
     double r_dot_n = vec3_dot(r, normal);
-    walkthrough_text_step(text, ink_text("The mirror at P%d", number).text);
+    walkthrough_text_step(text, STEP_MIRROR, ink_text("The mirror at P%d", number).text);
     ink_line(&text->ink, "    r = R / |R|, and N, turned to the side that the ray came from:");
     ink_line(&text->ink, "    r.N = %s.%s\t= %s", ink_vector(r, 6).text, ink_vector(normal, 6).text,
              ink_number(r_dot_n, 6).text);
@@ -161,10 +161,9 @@ static void print_miss(WalkthroughText *text, const Event *event)
 
 static void print_next_face(WalkthroughText *text, int number)
 {
-    walkthrough_text_step(
-        text,
-        ink_text(number == 1 ? "The nearest face along the ray" : "The nearest face in the mirror at P%d", number - 1)
-            .text);
+    InkText title = number == 1 ? ink_text("The nearest face along the ray")
+                                : ink_text("The nearest face in the mirror at P%d", number - 1);
+    walkthrough_text_step(text, STEP_NEAREST, title.text);
     if (number > 1)
         return;
     ink_paragraph(&text->ink,
@@ -231,7 +230,8 @@ static void print_event(WalkthroughText *text, const Event *event)
 bool walkthrough_write_text(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
     (void)error;
-    WalkthroughText text = {.ink = {out, style.colour}, .walk = walk, .digits = place_digits(walk->scene)};
+    WalkthroughText text = {
+        .ink = {out, style.colour}, .walk = walk, .listener = style.listener, .digits = place_digits(walk->scene)};
     print_head(&text);
     for (long i = 0; i < walk->count; i++) {
         walkthrough_follow(&text.place, walk, &walk->events[i]);

@@ -79,7 +79,7 @@ void walkthrough_text_hit(WalkthroughText *text, const Event *event)
     int number = event->as.hit.step + 1;
     const Face *face = &scene->faces[event->as.hit.face];
     ink_line(&text->ink, "\n    The nearest is face %d, %s, material %s:\n", face->number,
-             walkthrough_text_face(scene, event->as.hit.face, 40).text,
+             walkthrough_face_words(scene, event->as.hit.face, 40).text,
              ink_name(scene->materials[face->material].name, 24).text);
     print_plane_hit(text, event);
     InkRow rows[] = {

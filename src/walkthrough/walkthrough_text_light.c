@@ -12,7 +12,7 @@ void walkthrough_text_light(WalkthroughText *text, const Event *event)
     const Scene *scene = text->walk->scene;
     int number = walkthrough_hit_number(&text->place), index = event->as.light.light, side = event->as.light.side;
     const Event *hit = text->place.hit;
-    walkthrough_text_step(text, ink_text("Light %d at P%d", index, number).text);
+    walkthrough_text_step(text, STEP_LIGHT, ink_text("Light %d at P%d", index, number).text);
     InkRow rows[] = {
         walkthrough_text_place_row(text, ink_text("light %d", index), event->as.light.position),
         ink_row(ink_text("light - P%d", number), event->as.light.to_light),
@@ -31,9 +31,6 @@ void walkthrough_text_light(WalkthroughText *text, const Event *event)
     if (side > 0)
         ink_line(ink, "    The light is in front of the face. The ray from P%d' (t = 0) to the light (t = 1):\n",
                  number);
-    else
-        ink_line(ink, "    The light is %s: it cannot reach P%d. No ray is needed.",
-                 side < 0 ? "behind the face" : "in the face's own plane", number);
     text->rows_told = false;
 }
 
@@ -41,18 +38,11 @@ void walkthrough_text_light_end(WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
-    int number = walkthrough_hit_number(&text->place), index = event->as.light_end.light;
-    if (event->as.light_end.verdict == LIGHT_REACHES) {
-        ink_line(ink, "    Nothing is in the way: light %d reaches P%d.\n", index, number);
-        return;
-    }
-    if (event->as.light_end.verdict == LIGHT_BLOCKED) {
-        int face = event->as.light_end.blocker;
-        ink_line(ink, "\n    Face %d, %s, is in the way: P%d is in its shadow.", scene->faces[face].number,
-                 walkthrough_text_face(scene, face, 40).text, number);
-    }
-    if (scene->shading.shadow == SHADOW_BLACK)
-        ink_line(ink, "    Light %d adds nothing: \"shadow\" is \"black\".", index);
+    LightVerdict verdict = event->as.light_end.verdict;
+    const char *format = verdict == LIGHT_REACHES ? "    %s\n" : verdict == LIGHT_BLOCKED ? "\n    %s" : "    %s";
+    ink_line(ink, format, walkthrough_light_words(text->walk, &text->place, event).text);
+    if (verdict != LIGHT_REACHES && scene->shading.shadow == SHADOW_BLACK)
+        ink_line(ink, "    Light %d adds nothing: \"shadow\" is \"black\".", event->as.light_end.light);
 }
 
 /* --- What does it add? --- */

@@ -1,13 +1,16 @@
-/* What all parts of the walkthrough as text share: the state of the writer, headings, rows, names of faces. */
+/* What all parts of the walkthrough as text share: the state of the writer, headings, rows. */
 #ifndef RECTRAY_WALKTHROUGH_TEXT_ROWS_H
 #define RECTRAY_WALKTHROUGH_TEXT_ROWS_H
 
 #include "walkthrough/ink.h"
 #include "walkthrough/walkthrough.h"
+#include "walkthrough/walkthrough_step.h"
+#include "walkthrough/walkthrough_words.h"
 
 typedef struct WalkthroughText {
     Ink ink;
     const Walkthrough *walk;
+    const WalkthroughStepListener *listener; /* NULL: nobody listens */
     WalkthroughPlace place;
     int step;       /* number of the last step's heading */
     int digits;     /* of positions: more than 6 in a scene far from the origin */
@@ -16,12 +19,9 @@ typedef struct WalkthroughText {
 } WalkthroughText;
 
 /* "Step 3. ...", numbered. */
-void walkthrough_text_step(WalkthroughText *text, const char *title);
+void walkthrough_text_step(WalkthroughText *text, WalkthroughStepKind kind, const char *title);
 
 /* A row that shows a position in the scene file's coordinates. */
 InkRow walkthrough_text_place_row(const WalkthroughText *text, InkText label, Vec3 position);
-
-/* "floor/2": the face's object, and its number in it. */
-InkText walkthrough_text_face(const Scene *scene, int face, int columns);
 
 #endif

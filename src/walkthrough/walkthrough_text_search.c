@@ -117,11 +117,11 @@ static void print_tested(WalkthroughText *text, int face, const FaceTest *test, 
     InkText number = ink_text("%d", scene->faces[face].number);
     if (test->verdict == FACE_LEFT) {
         ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %-8s  %s", number.text,
-                 walkthrough_text_face(scene, face, 16).text, "-", "-", "-", "", verdict);
+                 walkthrough_face_words(scene, face, 16).text, "-", "-", "-", "", verdict);
         return;
     }
     ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %s  %s", number.text,
-             walkthrough_text_face(scene, face, 16).text, ink_number(test->n_dot_r, 6).text,
+             walkthrough_face_words(scene, face, 16).text, ink_number(test->n_dot_r, 6).text,
              ink_number(test->n_dot_o_plus_d, 6).text, t.text, signs_of(&text->ink, test).text, verdict);
     if (text->walk->request.verbose && test->edges > 0) {
         InkText values = {""};

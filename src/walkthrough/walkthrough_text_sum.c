@@ -3,17 +3,8 @@
 
 static void print_reason(WalkthroughText *text, const Event *event)
 {
-    const Shading *shading = &text->walk->scene->shading;
-    int number = walkthrough_hit_number(&text->place);
-    InkText reason = ink_text("the ray met no face");
-    if (event->as.path_end.reason == PATH_IN_SHADOW)
-        reason = ink_text("no light reaches P%d, and \"shadow\" is \"black\"", number);
-    else if (event->as.path_end.reason == PATH_NOT_MIRROR)
-        reason = ink_text("the material at P%d has reflection 0", number);
-    else if (event->as.path_end.reason == PATH_MAX_BOUNCES)
-        reason = ink_text("it was reflected max_bounces = %d times", shading->max_bounces);
-    walkthrough_text_step(text, "The sum");
-    ink_line(&text->ink, "    The path ended here: %s.", reason.text);
+    walkthrough_text_step(text, STEP_SUM, "The sum");
+    ink_line(&text->ink, "    %s", walkthrough_end_words(text->walk, &text->place, event).text);
     fputc('\n', text->ink.out);
 }
 
@@ -85,8 +76,8 @@ void walkthrough_text_pixel(WalkthroughText *text, const Event *event)
     for (int k = 0; k < 3; k++)
         ink_line(ink, "    %-5s = floor(255 c + 0.5) = floor(255 x %s + 0.5) = floor(%s) = %d", names[k],
                  ink_number(values[k], 6).text, ink_number(255 * values[k] + 0.5, 6).text, rgb[k]);
-    fprintf(ink->out, "\n%sPixel (%d, %d) = (%d, %d, %d)%s", ink_colour(ink, 'b'), text->walk->request.column,
-            text->walk->request.row, rgb[0], rgb[1], rgb[2], ink_colour(ink, '0'));
+    fprintf(ink->out, "\n%s%s%s", ink_colour(ink, 'b'), walkthrough_pixel_words(text->walk, event).text,
+            ink_colour(ink, '0'));
     if (ink->colour)
         fprintf(ink->out, "  \033[48;2;%d;%d;%dm      \033[0m", rgb[0], rgb[1], rgb[2]);
     fputc('\n', ink->out);

@@ -1,0 +1,20 @@
+/* Sentences that several formats of the walkthrough say in the same words. */
+#ifndef RECTRAY_WALKTHROUGH_WORDS_H
+#define RECTRAY_WALKTHROUGH_WORDS_H
+
+#include "walkthrough/ink.h"
+#include "walkthrough/walkthrough.h"
+
+/* "floor/2": the face's object, and its number in it. */
+InkText walkthrough_face_words(const Scene *scene, int face, int columns);
+
+/* Whether a light reaches the latest hit, or what keeps it away. `place` stands at the EVENT_LIGHT_END. */
+InkText walkthrough_light_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *light_end);
+
+/* Why the path ended. `place` stands at the EVENT_PATH_END. */
+InkText walkthrough_end_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *path_end);
+
+/* "Pixel (3, 2) = (97, 74, 97)", of an EVENT_PIXEL. */
+InkText walkthrough_pixel_words(const Walkthrough *walk, const Event *pixel);
+
+#endif
