@@ -66,7 +66,7 @@ $(FOUND):
 PROGRAM := $(BUILD)/rectray
 LIBRARY := $(BUILD)/librectray.a
 OBJECTS := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/*/*.c))
-LIBRARY_OBJECTS := $(filter-out %/main.o,$(OBJECTS)) $(BUILD)/kernel_sources.o
+LIBRARY_OBJECTS := $(filter-out %/main.o,$(OBJECTS)) $(BUILD)/kernel_sources.o $(BUILD)/page_template.o
 
 .PHONY: all
 all: $(PROGRAM) ## build build/rectray (the default)
@@ -119,7 +119,7 @@ install: $(PROGRAM) ## install the program, the scenes and the docs under PREFIX
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/rectray $(DESTDIR)$(PREFIX)/share/doc/rectray
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/rectray
 	cp -R scenes $(DESTDIR)$(PREFIX)/share/rectray/
-	cp -R README.md LICENSE docs/. $(DESTDIR)$(PREFIX)/share/doc/rectray/
+	cp -R README.md LICENSE docs/. $(wildcard $(PAGE)) $(DESTDIR)$(PREFIX)/share/doc/rectray/
 
 .PHONY: uninstall
 uninstall: ## remove what install put there
@@ -135,6 +135,7 @@ RERUN ?= make test
 .PHONY: test
 test: ## run all tests, or one suite: make test suite=NAME
 	@$(SETUP) build run test
+	@$(if $(PAGE_TO_TEST),$(MAKE) --no-print-directory --silent $(PAGE_TO_TEST))
 	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS) $(SCRIPT_TEST_PROGRAMS)
 	@RECTRAY=$(abspath $(PROGRAM)) RERUN="$(RERUN)" tests/support/run $(UNIT_TESTS) $(SCRIPT_TESTS)
 
@@ -160,7 +161,7 @@ bench: ## measure the ladder of scenes: tables here, plots in build/bench/ (many
 
 # --- The rest -------------------------------------------------------------------------------------------------
 
-PARTS := tests/tests.mk .ci/care.mk tests/peers/peers.mk
+PARTS := src/page/page.mk tests/tests.mk .ci/care.mk tests/peers/peers.mk
 include $(PARTS)
 
 .PHONY: clean

@@ -14,6 +14,7 @@
 static const Command commands[] = {
     {"render", "SCENE", 1, 1, "Renders a scene to a PNG picture.", command_render},
     {"trace", "SCENE", 1, 1, "Tells step by step how a pixel gets its colour.", command_trace},
+    {"explore", "SCENE", 1, 1, "Writes a page: click a pixel, read how it came about.", command_explore},
     {"cast", "SCENE", 1, 1, "Intersects rays with a scene: lines `ox oy oz dx dy dz` in, CSV out.", command_cast},
     {"check", "SCENE", 1, 1, "Validates a scene; tells what it holds, needs and can do without.", command_check},
     {"compare", "A.png B.png", 2, 2, "Measures how far two pictures differ.", command_compare},

@@ -9,6 +9,7 @@
 
 bool command_render(const Options *options, Error *error);
 bool command_trace(const Options *options, Error *error);
+bool command_explore(const Options *options, Error *error);
 bool command_cast(const Options *options, Error *error);
 bool command_check(const Options *options, Error *error);
 bool command_compare(const Options *options, Error *error);

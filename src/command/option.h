@@ -37,7 +37,7 @@ typedef struct Options {
     StatsFormat stats;
     ProgressMode progress;
     bool precision_given, pixel_given, shift_given;
-    bool quiet, geometry, verbose, with_scene, ladder, json, help, version;
+    bool quiet, geometry, verbose, with_scene, ladder, json, open, help, version;
 } Options;
 
 /* How an option's value is read. */

@@ -15,8 +15,13 @@
 static const char *const progress_modes[] = {
     [PROGRESS_AUTO] = "auto", [PROGRESS_ALWAYS] = "always", [PROGRESS_NEVER] = "never", NULL};
 
-static const char *const map_kinds[] = {[MAP_RAYS] = "rays",     [MAP_TIME] = "time", [MAP_DEPTH] = "depth",
-                                        [MAP_NORMAL] = "normal", [MAP_FACE] = "face", NULL};
+static const char *const map_kinds[] = {[MAP_RAYS] = "rays",
+                                        [MAP_TIME] = "time",
+                                        [MAP_DEPTH] = "depth",
+                                        [MAP_NORMAL] = "normal",
+                                        [MAP_FACE] = "face",
+                                        [MAP_TESTED] = "tested",
+                                        NULL};
 
 static const char *const stats_formats[] = {"text", "json", NULL}; /* of STATS_TEXT and what comes after it */
 static const char *const lane_words[] = {"1", "4", "8", "16", NULL};
@@ -150,16 +155,17 @@ static bool set_lanes(Options *o, const char *value)
 
 /* clang-format off */
 const Option option_table[] = {
-    {"output", 'o', "FILE", "render trace compare generate bench", "write the output there; - is standard output",
+    {"output", 'o', "FILE", "render trace explore compare generate bench",
+     "write the output there; - is standard output",
      TEXT(output), .expects = "the name of a file, or - for standard output"},
-    {"size", 's', "COLUMNSxROWS", "render trace bench", "pixels of the picture, instead of the scene's",
+    {"size", 's', "COLUMNSxROWS", "render trace explore bench", "pixels of the picture, instead of the scene's",
      OWN(set_size), .expects = "two whole numbers from 1 to 16384, such as 640x480"},
-    {"grid", 'g', "N", "render trace bench", "N x N rays per pixel, instead of the scene's",
+    {"grid", 'g', "N", "render trace explore bench", "N x N rays per pixel, instead of the scene's",
      OWN(set_grid), .expects = "a whole number from 1 to 16"},
     {"sampling", 0, "HOW", "render trace", "uniform:N as --grid; adaptive[:N]: 16 rays (N = 8) where needed",
      OWN(set_sampling), .expects = "uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16"},
-    {"map", 0, "KIND FILE", "render", "draw what the pixels cost or show: rays, time, depth, normal or face",
-     OWN(set_map), .expects = "rays, time, depth, normal or face, and the name of a file"},
+    {"map", 0, "KIND FILE", "render", "draw what pixels cost or show: rays, tested, time, depth, normal, face",
+     OWN(set_map), .expects = "rays, time, depth, normal, face or tested, and the name of a file"},
     {"bounces", 0, "N", "render trace", "at most N reflected rays in a row, instead of the scene's",
      NUMBER(bounces, 0, SCENE_MAX_BOUNCES)},
     {"size", 0, "N", "generate", "menger: steps; city: boxes; grid: quads along a side. Must be given",
@@ -167,6 +173,9 @@ const Option option_table[] = {
     {"seed", 0, "N", "generate", "another number, another scene of that kind (default 0)", NUMBER(seed, 0, 2147483647)},
     {"pixel", 0, "COLUMN,ROW", "trace", "the pixel to tell; 0,0 is the one at the top left. Must be given",
      OWN(set_pixel), .expects = "two whole numbers, such as 320,240"},
+    {"pixel", 0, "COLUMN,ROW", "explore", "the pixel that is chosen first; 0,0 is the one at the top left",
+     OWN(set_pixel), .expects = "two whole numbers, such as 320,240"},
+    {"open", 0, NULL, "explore", "open the page, with xdg-open", FLAG(open)},
     {"sample", 0, "I,J", "trace", "the sample to tell, of a pixel that has several (default 0,0)",
      OWN(set_sample), .expects = "two whole numbers from 0 to 15, such as 0,1"},
     {"format", 'f', "NAME", "trace", "text (default); json: every number; obj: for a 3D viewer; svg: a drawing",
@@ -208,7 +217,7 @@ const Option option_table[] = {
     {"stats", 0, "[=FORMAT]", "render cast", "tell what was done and how long it took: text or json",
      OWN(set_stats), .words = stats_formats},
     {"progress", 0, "WHEN", "render", "auto (default: on a terminal), always or never", WORD(progress, progress_modes)},
-    {"quiet", 'q', NULL, "render trace cast check compare bench generate devices", "no messages but errors",
+    {"quiet", 'q', NULL, "render trace explore cast check compare bench generate devices", "no messages but errors",
      FLAG(quiet)},
     {"help", 'h', NULL, "", "show this help", FLAG(help)},
     {"version", 'V', NULL, "", "show the version", FLAG(version)},

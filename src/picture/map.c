@@ -14,19 +14,22 @@ typedef struct Map {
     const Scene *scene;
     const Accel *accel;
     MapKind kind;
-    float *values;      /* one per pixel, for rays, time and depth */
+    float *values;      /* one per pixel, but for normals and faces */
     unsigned char *rgb; /* at once, for normals and faces */
 } Map;
 
 /* --- One pixel --- */
 
-static double rays_or_time(const Map *map, int column, int row)
+static double cost_of(const Map *map, int column, int row)
 {
     RenderReport report = {0};
     double start = clock_ms();
     reference_pixel(&(Tracer){.scene = map->scene, .accel = map->accel, .report = &report}, column, row);
     double ms = clock_ms() - start;
-    return map->kind == MAP_TIME ? ms : (double)(report.rays.primary + report.rays.shadow + report.rays.reflection);
+    if (map->kind == MAP_TIME)
+        return ms;
+    return (double)(map->kind == MAP_TESTED ? report.face_tests
+                                            : report.rays.primary + report.rays.shadow + report.rays.reflection);
 }
 
 /* The ray through the pixel's centre, and what it hits. */
@@ -60,8 +63,8 @@ static Vec3 colour_of_number(int number)
 static void map_pixel(const Map *map, int column, int row)
 {
     size_t at = (size_t)row * (size_t)map->scene->screen.columns + (size_t)column;
-    if (map->kind == MAP_RAYS || map->kind == MAP_TIME) {
-        map->values[at] = (float)rays_or_time(map, column, row);
+    if (map->kind == MAP_RAYS || map->kind == MAP_TIME || map->kind == MAP_TESTED) {
+        map->values[at] = (float)cost_of(map, column, row);
         return;
     }
     Ray ray;

@@ -1,0 +1,52 @@
+// The names of points in space: placed beside them, the more important first, and moved where they would overlap.
+'use strict';
+
+const LABEL_PLACES = [
+    [6, -18],
+    [6, 4],
+    [-6, -18],
+    [-6, 4],
+    [6, -36],
+    [6, 22],
+    [-6, -36],
+    [-6, 22],
+]; // negative: left of the point
+
+function overlaps(a, b) {
+    return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
+}
+
+// marks: [{at, text, kind}], the most important first.
+function placeLabels(holder, marks, rows, near) {
+    const width = holder.clientWidth;
+    const height = holder.clientHeight;
+    const labels = [];
+    // Printed, the drawing has another size.
+  const percent = (x, y) => `left: ${(100 * x) / width}%; top: ${(100 * y) / height}%`;
+    const seen = marks
+        .map(mark => ({...mark, p: projected(rows, mark.at)}))
+        .filter(({p}) => p[3] > near)
+        .map(({p, ...mark}) => ({
+            ...mark,
+            x: (0.5 + (0.5 * p[0]) / p[3]) * width,
+            y: (0.5 - (0.5 * p[1]) / p[3]) * height,
+        }));
+    const taken = seen.map(({x, y}) => ({x: x - 4, y: y - 4, w: 8, h: 8}));
+    for (const {x, y, text, kind} of seen) {
+        labels.push(element('i', {class: 'dot ' + kind, style: percent(x, y)}));
+        const w = 9 * text.length + 6;
+        const h = 17;
+        const place = LABEL_PLACES.map(([dx, dy]) => ({x: dx < 0 ? x + dx - w : x + dx, y: y + dy, w, h})).find(
+            box =>
+                !taken.some(other => overlaps(box, other)) &&
+                box.x >= 0 &&
+                box.y >= 0 &&
+                box.x + w <= width &&
+                box.y + h <= height,
+        );
+        if (!place) continue;
+        taken.push(place);
+        labels.push(element('span', {class: 'label ' + kind, style: percent(place.x, place.y)}, text));
+    }
+    holder.replaceChildren(...labels);
+}

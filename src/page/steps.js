@@ -1,0 +1,85 @@
+// The walkthrough's steps, folded. One that is opened becomes the step that the view in space shows.
+'use strict';
+
+// A step's text without its heading, which the fold has.
+const bodyOf = step => step.text.replace(/^\n.*\n\n?/, '').replace(/\n+$/, '');
+
+function stepSource(step) {
+    const functions = step.functions.map(f => element('code', {title: 'src/' + f.file}, f.name));
+    const sections = step.sections.map(number =>
+        element(
+            'button',
+            {type: 'button', class: 'link', onclick: () => showSection(number)},
+            sectionTitle(number),
+        ),
+    );
+    return element(
+        'p',
+        {class: 'source'},
+        'In C: ',
+        ...functions.flatMap((f, k) => (k ? [', ', f] : [f])),
+        element('br'),
+        'The algorithm: ',
+        ...sections.flatMap((s, k) => (k ? [', ', s] : [s])),
+    );
+}
+
+function stepFold(step) {
+    const fold = element(
+        'details',
+        {class: 'step', 'data-number': step.number},
+        element('summary', {}, element('b', {}, `Step ${step.number}.`), ' ' + step.title),
+        element('pre', {tabindex: '0'}, inked(bodyOf(step))),
+        stepSource(step),
+    );
+    fold.firstChild.addEventListener('click', () => {
+        // the fold changes after this
+        if (!fold.open) goToStep(step.number);
+        else if (page.step === step.number) goToStep(0);
+    });
+    return fold;
+}
+
+function showSteps() {
+    $('head').replaceChildren(inked(page.walk.head.trimEnd()));
+    const opened = new Set(
+        [...$('steps').querySelectorAll('details[open]')].map(fold => Number(fold.dataset.number)),
+    );
+    $('steps').replaceChildren(...page.walk.steps.map(stepFold));
+    for (const fold of $('steps').children) fold.open = opened.has(Number(fold.dataset.number));
+    showStep();
+}
+
+function showStep() {
+    const count = page.walk ? page.walk.steps.length : 0;
+    $('step-number').textContent = page.step ? `step ${page.step} of ${count}` : `${count} steps`;
+    for (const fold of $('steps').children) {
+        const now = Number(fold.dataset.number) === page.step;
+        fold.classList.toggle('now', now);
+        if (now) fold.toggleAttribute('aria-current', true);
+        else fold.removeAttribute('aria-current');
+    }
+}
+
+// Space and its like: opens the next step alone and brings it into view.
+function play(by) {
+    goToStep(page.step + by);
+    for (const fold of $('steps').children) {
+        fold.open = Number(fold.dataset.number) === page.step;
+        if (fold.open) fold.scrollIntoView({block: 'nearest', behavior: 'instant'});
+    }
+}
+
+$('forward').addEventListener('click', () => play(1));
+$('back').addEventListener('click', () => play(-1));
+$('open-all').addEventListener('click', () => {
+    const all = [...$('steps').children];
+    const open = !all.every(fold => fold.open);
+    for (const fold of all) fold.open = open;
+});
+$('verbose').addEventListener('change', () => {
+    page.verbose = $('verbose').checked;
+    if (page.pixel) choosePixel(...page.pixel);
+});
+on('pixel', showSteps);
+on('step', showStep);
