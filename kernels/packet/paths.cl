@@ -36,7 +36,7 @@ INLINE void path_add(Path *path, Mask lanes, Vec colour)
 }
 
 /* The lanes whose further hits cannot change a byte of the picture, even all of them together: with the most that can
- * come, at that weight, the bytes are the same. A pixel of several paths tells nothing yet: its bytes are those of
+ * come, at that weight, the bytes are the same. A pixel of several paths decides nothing yet: its bytes are those of
  * their mean. The host switches the skip off where there are other such pixels (adaptive sampling), or no bytes
  * (LINEAR). */
 INLINE Mask too_weak(const World *world, Vec total, Lanes weight)
