@@ -209,6 +209,22 @@ class Kernels(CommandTest):
         changed = sum(a != b for a, b in zip(as_it_is, edited))
         self.assertGreater(changed, len(as_it_is) / 2)
 
+    def test_a_change_of_the_lights_formula_shows_with_and_without_a_classification_of_tiles(self):
+        scene, size = os.path.abspath("scenes/cornell.json"), ("--size", "160x120", "--sampling", "uniform:1")
+        self.run_program("render", scene, *size, "-o", "before.png")
+        shutil.copytree("kernels", self.path("kernels"))
+        with open(self.path("kernels/packet/light.cl"), "r+", encoding="utf-8") as file:
+            text, term = file.read(), "terms.exponent = material[MATERIAL_EXPONENT];"
+            self.assertEqual(text.count(term), 1)
+            file.seek(0)
+            file.write(text.replace(term, term.replace("= ", "= 3 * ")))
+        changed = dict(os.environ, RECTRAY_KERNELS=self.path("kernels"))
+        self.run_program("render", scene, *size, "-o", "a.png", env=changed)
+        self.run_program("render", scene, *size, "--no-skip", "whole_tile", "-o", "b.png", env=changed)
+        pictures = [open(self.path(name), "rb").read() for name in ("before.png", "a.png", "b.png")]
+        self.assertNotEqual(pictures[0], pictures[1])
+        self.assertEqual(pictures[1], pictures[2])
+
     def test_only_the_one_that_runs_is_compiled_and_once(self):
         self.put("rays", "0 0 5 0 0 -1\n")
         for name, *words in (("render", "render", "scene.json", "--grid", "1", "-o", "a.png"),

@@ -1,4 +1,4 @@
-/* Which faces a beam meets, of all that there are. */
+/* Beams without a tree: each face is tested. */
 #include "shared/compiler.cl"
 #include "packet/world.cl"
 #include "adaptive/beam_query.cl"
@@ -6,7 +6,7 @@
 
 NOINLINE void traverse_beam(const World *world, BeamQuery *q)
 {
-    GroupBeam whole = group_beam(world, q->beam);
-    for (int i = 0; i < world->face_count && q->asking; i++)
-        intersect_beam(world, q, &whole, i);
+    GroupBeam group = group_beam(world, q->beam);
+    for (int i = 0; i < world->face_count && q->active_count; i++)
+        intersect_beam(world, q, &group, i);
 }

@@ -1,4 +1,4 @@
-/* Which faces a beam meets, in the leaves of a bounding volume hierarchy. */
+/* Beams in a bounding volume hierarchy: the faces of those leaves are tested that no cut leaves out. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "packet/lanes.cl"
@@ -28,18 +28,18 @@ INLINE uint boxes_left(const Cuts *cuts, global const float *planes)
 
 NOINLINE void traverse_beam(const World *world, BeamQuery *q)
 {
-    GroupBeam whole = group_beam(world, q->beam);
+    GroupBeam group = group_beam(world, q->beam);
     Cuts cuts;
-    make_cuts(world, q, &whole, &cuts);
+    make_cuts(world, q, &group, &cuts);
     int stack[STACK_SIZE], count = 0;
     stack[count++] = 0;
     while (count > 0) {
         int node = stack[--count];
         if (node < 0) {
             int first = LEAF_FIRST(node), faces = LEAF_COUNT(node);
-            for (int i = first; i < first + faces && q->asking; i++)
-                intersect_beam(world, q, &whole, i);
-            if (!q->asking)
+            for (int i = first; i < first + faces && q->active_count; i++)
+                intersect_beam(world, q, &group, i);
+            if (!q->active_count)
                 return;
             continue;
         }

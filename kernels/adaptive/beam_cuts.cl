@@ -1,14 +1,15 @@
-/* Planes that bound where a beam looks for faces: what lies beyond one of them is left out. */
+/* Cuts: planes that bound where the faces lie that matter to the beams of a group. A box of the tree that lies beyond
+ * one of them is left out. */
 #include "shared/compiler.cl"
 #include "shared/precision.cl"
 #include "packet/accel.cl"
 #include "packet/world.cl"
-#include "adaptive/beam.cl"
 #include "adaptive/beam_query.cl"
 #include "adaptive/group_beam.cl"
+#include "adaptive/point.cl"
 
-/* Planes, on the positive side of which nothing is wanted: w.x > limit. They are the sides of the whole beam, and the
- * planes between which faces are wanted. */
+/* On the positive side of a cut, where w.x > limit, no face matters. Cuts are the sides of the group's beam, and the
+ * planes that the beams go between. */
 enum { CUTS_MAX = 6 };
 typedef struct Cuts {
     real w[CUTS_MAX][3], limit[CUTS_MAX], slack[CUTS_MAX];

@@ -1,4 +1,4 @@
-/* Which faces a beam meets, in the leaves of a k-d tree. */
+/* Beams in a k-d tree: the faces of those leaves are tested that no cut leaves out. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -31,9 +31,9 @@ static bool box_is_left(const Cuts *cuts, const KdBox *box)
 
 NOINLINE void traverse_beam(const World *world, BeamQuery *q)
 {
-    GroupBeam whole = group_beam(world, q->beam);
+    GroupBeam group = group_beam(world, q->beam);
     Cuts cuts;
-    make_cuts(world, q, &whole, &cuts);
+    make_cuts(world, q, &group, &cuts);
     KdBox stack[STACK_SIZE];
     int count = 1;
     stack[0].node = 0;
@@ -55,9 +55,9 @@ NOINLINE void traverse_beam(const World *world, BeamQuery *q)
             stack[count++] = below;
             continue;
         }
-        for (int i = ints[KD_FIRST]; i < ints[KD_FIRST] + ints[KD_COUNT] && q->asking; i++)
-            intersect_beam(world, q, &whole, face_in_leaf(world, i));
-        if (!q->asking)
+        for (int i = ints[KD_FIRST]; i < ints[KD_FIRST] + ints[KD_COUNT] && q->active_count; i++)
+            intersect_beam(world, q, &group, face_in_leaf(world, i));
+        if (!q->active_count)
             return;
     }
 }

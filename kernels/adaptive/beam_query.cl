@@ -1,5 +1,5 @@
-/* Which faces a beam meets on its way: all are asked, or those of a tree. What src/trace/beam_query.c says, for all
- * beams of a group at once. */
+/* What faces do to the beams of a group: as src/trace/beam_query.c, for all beams of the group at once. From one face
+ * to another, or from a light to a face, a face between the two crosses a beam, or fills it, or is clear of it. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -7,25 +7,26 @@
 #include "packet/lanes.cl"
 #include "packet/world.cl"
 #include "adaptive/beam.cl"
+#include "adaptive/beam_face.cl"
 #include "adaptive/group_beam.cl"
-
-/* --- One face --- */
+#include "adaptive/linear.cl"
+#include "adaptive/point.cl"
 
 typedef struct BeamQuery {
     const Beam *beam;
     int from, to;
     BeamPlane near, far;
     bool shadow;
-    Mask active[PACKETS];                   /* the lanes not answered yet, */
-    uint asking;                            /* and how many they are */
+    Mask active[PACKETS];                   /* the lanes without an answer yet */
+    uint active_count;                      /* so many they are */
     Mask crossed[PACKETS], filled[PACKETS]; /* the answers */
 } BeamQuery;
 
-INLINE void count_asking(BeamQuery *q)
+INLINE void count_active(BeamQuery *q)
 {
-    q->asking = 0;
+    q->active_count = 0;
     EACH_PACKET(k)
-        q->asking += mask_count(q->active[k]);
+        q->active_count += mask_count(q->active[k]);
 }
 
 static bool is_on_side(const World *world, int face, int of, int side)
@@ -35,20 +36,20 @@ static bool is_on_side(const World *world, int face, int of, int side)
     int count = face_vertex_count(world, face);
     for (int k = 0; k < count; k++) {
         Point x = point_sub(face_point(world, face, k), corner);
-        wide height = side * point_dot(n, x), doubt = WIDE_SLACK * point_magnitudes(x);
-        if (height < -doubt)
+        wide height = side * point_dot(n, x), slack = WIDE_SLACK * point_magnitudes(x);
+        if (height < -slack)
             return false;
-        off |= height > doubt;
+        off |= height > slack;
     }
     return off;
 }
 
-static void intersect_beam(const World *world, BeamQuery *q, const GroupBeam *whole, int i)
+static void intersect_beam(const World *world, BeamQuery *q, const GroupBeam *group, int i)
 {
     const Beam *beam = q->beam;
-    if (i == q->from || i == q->to || is_clear_of(world, whole, i))
+    if (i == q->from || i == q->to || is_clear_of(world, group, i))
         return;
-    world->counters[COUNT_FACE_TESTS] += q->asking;
+    world->counters[COUNT_FACE_TESTS] += q->active_count;
     BeamPlane seen = beam_plane(world, beam, i);
     int back = q->shadow ? 1 : -1;
     if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && face_bits(face_row(world, i)) & FACE_BACK_OPEN) ||
@@ -78,5 +79,5 @@ static void intersect_beam(const World *world, BeamQuery *q, const GroupBeam *wh
             q->filled[k] |= met & cover.filled & is_negative(lanes, &within);
         q->active[k] &= ~(q->shadow ? q->filled[k] : q->crossed[k]);
     }
-    count_asking(q);
+    count_active(q);
 }

@@ -1,5 +1,11 @@
-/* Adaptive sampling renders in two steps: the centres of all pixels, judged by adaptive.cl; then a lattice of samples
- * for those pixels that a centre does not tell. Built only where adaptive sampling is asked for. */
+/* The kernel `render_adaptive`. It runs twice.
+ *
+ *     first, for each tile:                      trace the rays through the centres of its pixels
+ *                                                flag the pixels for which the centre will not do (adaptive.cl)
+ *     then, for each PACKETS of flagged pixels:  trace a lattice of samples of each; store the means
+ *
+ * A lattice has one sample in each of N columns and N rows (Sloan, Joe, "Lattice Methods for Multiple Integration",
+ * 1994). With adaptive:8 the gallery has the error of 8 x 8 rays for a tenth of its time (docs/accuracy.md). */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
@@ -28,7 +34,7 @@ static WideVec direction_to(const World *world, Wide column, Wide row, Wide i, W
                     wide_scale(y, view_vec(world, VIEW_UP)));
 }
 
-/* The bundle of the active rays, which start at the apex. */
+/* Bounds of the active rays, which start at the apex. */
 static RayBounds bounds_of_rays(const Apex *a, const Path *paths, const Ray *rays)
 {
     OriginPacket packets[PACKETS];
@@ -39,7 +45,7 @@ static RayBounds bounds_of_rays(const Apex *a, const Path *paths, const Ray *ray
     return bounds_from(a, packets, PACKETS, 0);
 }
 
-/* As render_tile does with a grid of 1; flags: band_rows * columns bytes, 1 where a pixel needs more. */
+/* Renders the centres of a tile's pixels. flags: band_rows * columns bytes, 1 where a pixel needs more samples. */
 INLINE void render_centres(const World *world, int first_column, int first_row, global uchar *rgb,
                            global uchar *flags)
 {
@@ -148,8 +154,8 @@ static void refine(const World *world, global uchar *rgb, global const int *list
     }
 }
 
-/* A work-item for a block of the band's tiles; where refine_count says that there are pixels to refine, one for
- * PACKETS of them. Both in one kernel, for tracing a path is the most of it, and takes the longest to compile. */
+/* A work-item for a block of the band's tiles; where refine_count says that there are pixels to refine, one for PACKETS
+ * of them. Both in one kernel, for tracing a path is the most of it, and takes the longest to compile. */
 kernel void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
                             global const wide *planes, global const real *materials, global const real *lights,
                             global const real *view, global uchar *rgb, volatile global uint *totals,

@@ -45,10 +45,11 @@ NOINLINE bool find_facet(const World *world, MirrorChain *chain, Facet *f)
     } else {
         int from = bounce > 0 ? hit[-1].seen.face : -1;
         Apex a = apex_of_image(world, &chain->camera, &chain->corners, bounce);
-        found->rest = parent && bounce == parent->bounces ? parent->rest : begin_in_frustum(world, &a, &chain->corners);
+        found->resume =
+            parent && bounce == parent->bounces ? parent->resume : begin_in_frustum(world, &a, &chain->corners);
         bool is_full = !chain->tile && bounce == CLASSIFIED_BOUNCES;
         if (is_full || !MAY_SKIP(world->parameters, SKIP_WHOLE_TILE) ||
-            !find_covering_face(world, &a, &chain->corners, from, chain->rays, &hit->seen, &found->rest))
+            !find_covering_face(world, &a, &chain->corners, from, chain->rays, &hit->seen, &found->resume))
             return false;
         hit->lit = hit->shadowed = 0;
     }
@@ -63,7 +64,7 @@ INLINE void forget_facet(const World *world, MirrorChain *chain)
     Classification *found = chain->found;
     found->bounces--;
     Apex a = apex_of_image(world, &chain->camera, &chain->corners, found->bounces);
-    found->rest = begin_in_frustum(world, &a, &chain->corners); /* the search had succeeded, and used it up */
+    found->resume = begin_in_frustum(world, &a, &chain->corners); /* the search had succeeded, and used it up */
     world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] = chain->backs;
 }
 

@@ -85,10 +85,10 @@ INLINE bool test_covering_face(const World *world, CoverSearch *s, int i, bool *
     return true;
 }
 
-/* Finds the covering face among the rest of a traversal. False: the rays may hit different faces first; the rest is
- * then what has not been ruled out. rays: so many the frustum stands for. */
+/* Finds the covering face in a search that goes on from `resume`. False: the rays may hit different faces first; then
+ * `resume` leads to all faces that have not been ruled out. rays: so many the frustum stands for. */
 INLINE bool find_covering_face(const World *world, const Apex *a, const Frustum *corners, int from, uint rays,
-                               CoveringFace *found, Traversal *rest)
+                               CoveringFace *found, Traversal *resume)
 {
     CoverSearch s;
     s.apex = a;
@@ -101,14 +101,14 @@ INLINE bool find_covering_face(const World *world, const Apex *a, const Frustum 
     RayBounds b = bounds_of_frustum(a, corners, 0);
     if (from < 0)
         bounds_cull_sides(&b, false);
-    int single = rest->face; /* it comes before the first leaf */
-    rest->face = -1;
+    int single = resume->face; /* it comes before the first leaf */
+    resume->face = -1;
     uint tested = 0, backs = 0;
     bool stopped = false;
     for (int first, count; !stopped; single = -1) {
         if (single >= 0)
             count = 1;
-        else if (!next_leaf(world, &b, rays, &rest->stack, &first, &count))
+        else if (!next_leaf(world, &b, rays, &resume->stack, &first, &count))
             break;
         s.backs = 0;
         stopped = tested + (uint)count > FRUSTUM_BUDGET;
@@ -120,16 +120,16 @@ INLINE bool find_covering_face(const World *world, const Apex *a, const Frustum 
             bool nearer;
             stopped = !test_covering_face(world, &s, i, &nearer);
             if (nearer) {
-                rest->face = i;
+                resume->face = i;
                 bounds_shorten(&b, 1 / s.low);
             }
         }
         if (!stopped)
             backs += s.backs;
         else if (single >= 0)
-            rest->face = single;
+            resume->face = single;
         else
-            push_back(&rest->stack);
+            push_back(&resume->stack);
     }
     *found = s.nearest;
     world->counters[COUNT_FACE_TESTS] += 4 * tested;

@@ -23,7 +23,7 @@ typedef struct UniformHit {
 typedef struct Classification {
     int bounces; /* so many hits are known */
     UniformHit hits[PATH_MAX];
-    Traversal rest; /* what the search for the next one has not ruled out, where that one is not common to all rays */
+    Traversal resume; /* what the search for the next one has not ruled out, where that one is not common to all rays */
 } Classification;
 
 INLINE bool has_first_hit(const Classification *c) { return c->bounces > 0; }

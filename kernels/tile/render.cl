@@ -59,7 +59,7 @@ INLINE void render_tile(const World *world, const Apex *apex, const Camera *came
             Classification found;
             if (!trace_uniform_tile(world, &places, &window, classification, paths, rays, &found)) {
                 Eye eye = {camera->eye, apex, &seen};
-                trace_paths(world, &eye, found.bounces, paths, rays, &found.rest, 0);
+                trace_paths(world, &eye, found.bounces, paths, rays, &found.resume, 0);
             }
             EACH_PACKET(k)
                 sum[k] = vec_add(sum[k], paths[k].total);

@@ -4,7 +4,7 @@
  *     for each face between the light and these points, seen from the light
  *         it is outside, or beyond the points:       go on
  *         it covers them all, and lies before them:  SHADOWED
- *         otherwise:                                 PARTLY_SHADOWED, as far as this can tell
+ *         otherwise:                                 PARTLY_SHADOWED, as far as four rays can show
  *     no such face: LIT */
 #include "shared/compiler.cl"
 #include "shared/layout.h"

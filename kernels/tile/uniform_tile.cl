@@ -15,7 +15,7 @@
 #include "tile/mirror_chain.cl"
 
 /* Traces the active paths of a tile as far as all of them hit the same faces. True: to the end. False: paths and rays
- * have been mirrored so many times as found->bounces says, and found->rest is what is left of their next search. */
+ * have been mirrored so many times as found->bounces says, and found->resume is what is left of their next search. */
 NOINLINE bool trace_uniform_tile(const World *world, const ScreenPlaces *places, const Window *window,
                                  const Classification *parent, Path *paths, Ray *rays, Classification *found)
 {
