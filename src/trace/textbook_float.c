@@ -1,3 +1,3 @@
 /* The textbook tracer in float: the same text, with another `Real`. */
 #define TEXTBOOK_IN_FLOAT 1
-#include "trace/textbook.c"
+#include "trace/textbook.c" /* NOLINT(bugprone-suspicious-include): it is meant to be compiled twice */
