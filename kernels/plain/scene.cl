@@ -29,13 +29,8 @@ typedef struct Scene {
     uint counts[COUNTER_KINDS]; /* of this work-item */
 } Scene;
 
-/* As in src/base/vec3.h: the built-in dot and cross may round otherwise. */
+/* As in src/base/vec3.h: the built-in dot may round otherwise. */
 static wide vec3_dot(wide3 a, wide3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-static wide3 vec3_cross(wide3 a, wide3 b)
-{
-    return (wide3)(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
 
 static wide3 unit_or_zero(wide3 a) { return vec3_dot(a, a) > 0 ? a / sqrt(vec3_dot(a, a)) : a; }
 

@@ -5,6 +5,11 @@
 #include "shared/precision.cl"
 #include "plain/scene.cl"
 
+static wide3 vec3_cross(wide3 a, wide3 b)
+{
+    return (wide3)(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
 /* Step 4: does every edge e = v[k+1] - v[k] have the point P of the plane on its inner side? */
 static bool inside_edges(const Scene *scene, int face, wide3 n, wide3 p)
 {
