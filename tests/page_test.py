@@ -23,6 +23,7 @@ PAGE = os.path.abspath("build/rectray.html")
 LIMIT = 1 << 20
 SETTLED = "['done', 'failed'].includes((document.body || {dataset: {}}).dataset.state)"
 SCENES = sorted(glob.glob("scenes/*.json"))
+LESSONS = sorted(glob.glob("scenes/lessons/*.json"))
 TEST_SCENES = sorted(glob.glob("tests/scenes/*.json"))
 BAD_SCENES = sorted(glob.glob("tests/scenes/bad/*.json"))
 GALLERY = "#scene=scenes/gallery.json&size=320x180&grid=1"
@@ -225,7 +226,7 @@ class InBrowser(unittest.TestCase):
         self.open(GALLERY)
         self.give_files([*TEST_SCENES, *glob.glob("tests/scenes/models/*")])
         self.value("setGrid(0)")
-        for scene in [*SCENES, *TEST_SCENES]:
+        for scene in [*SCENES, *LESSONS, *TEST_SCENES]:
             with self.subTest(scene):
                 self.assertTrue(self.value(f"openScene('{scene}', {{size: [64, 48]}})"))
                 self.wait(SETTLED)

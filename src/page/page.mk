@@ -22,7 +22,7 @@ WASM_LINK    := clang --target=wasm32-wasi -flto -mexec-model=reactor -Wl,-z,sta
     -Wl,--strip-all
 
 PAGE_PARTS := $(wildcard src/page/*.html src/page/*.css src/page/*.js)
-PAGE_SCENES := $(wildcard scenes/*.json scenes/models/*.*)
+PAGE_SCENES := $(wildcard scenes/*.json scenes/lessons/*.json scenes/models/*.*)
 
 .PHONY: page
 page: ## build build/rectray.html: click a pixel and read how it came about
@@ -30,7 +30,7 @@ page: ## build build/rectray.html: click a pixel and read how it came about
 	@$(MAKE) --no-print-directory $(if $(V),,--silent) $(PAGE)
 	@echo "The page is $(abspath $(PAGE)); a program built from now on can do: rectray explore SCENE"
 
-$(PAGE): $(PAGE_BUILD)/template.html src/page/build.sh $(PAGE_SCENES)
+$(PAGE): $(PAGE_BUILD)/template.html src/page/build.sh src/page/page.mk $(PAGE_SCENES)
 	$(call say,page,$@)
 	$(Q)sh src/page/build.sh fill $(PAGE_BUILD)/template.html $(PAGE_SCENES) >$@
 
