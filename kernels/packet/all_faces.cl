@@ -1,4 +1,4 @@
-/* No tree: one leaf holds all faces, and a bundle needs no bounds. */
+/* No tree: one leaf holds all faces, and a bundle needs no bounds. The functions are those of bvh.cl. */
 #include "shared/compiler.cl"
 #include "shared/precision.cl"
 #include "packet/apex.cl"

@@ -1,5 +1,5 @@
-/* The nearest faces of one packet of rays from a list. Rays from one point are searched like those of a tile; any
- * others exactly, face by face. */
+/* The nearest faces of one packet of rays from a list. If all its rays start at one point, they are searched like those
+ * of a tile. Otherwise each face is tested exactly. */
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "packet/accel.cl"

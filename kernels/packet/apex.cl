@@ -39,7 +39,7 @@ INLINE Apex apex_at(const wide *point, real spread, real length)
 typedef struct OriginPacket {
     Vec ahead;     /* the direction R; of a shadow ray the unit vector from the light */
     Lanes per_end; /* of a shadow ray: 1/t of its point */
-    Lanes slack;   /* of a shadow ray: so many times a face's error bounds cover its own errors, too */
+    Lanes slack;   /* of a shadow ray: error bounds of faces times this cover the error of its point, too */
     Mask active;   /* the lanes that take part in the search */
     Mask from;     /* the face that each ray leaves, which it does not hit again; -1: none */
 } OriginPacket;
@@ -60,7 +60,7 @@ INLINE void aim_from_light(OriginPacket *p, const wide *light, WideVec point)
     p->slack = (Lanes)1;
 }
 
-/* The slack of a shadow ray whose point may be off by that share of its length; and back again. */
+/* The slack of a shadow ray whose point may be off by a share of the ray's length, and the share of a slack. */
 #define SLACK_OF(share) (1 + (share) * (real)(0.25f / REAL_ROUNDING))
 #define SHARE_OF(slack) (((slack) - 1) * (4 * REAL_ROUNDING))
 

@@ -25,7 +25,7 @@ typedef struct Stack {
     int count;
 } Stack;
 
-/* Keeps what is above `floor` in order. */
+/* Puts a child on the stack, below those that the bundle enters sooner. What lies below `floor` stays where it is. */
 INLINE void stack_insert(Stack *stack, int floor, int node, real enter)
 {
     int i = stack->count++;
@@ -106,7 +106,7 @@ INLINE uint push_children(const World *world, const RayBounds *b, int node, Stac
     return faces_culled;
 }
 
-/* The way from the root. */
+/* A stack that holds the root alone. */
 INLINE Stack stack_of(const World *world, const RayBounds *b)
 {
     Stack stack;
@@ -119,7 +119,7 @@ INLINE Stack stack_of(const World *world, const RayBounds *b)
 /* Puts back the leaf that next_leaf gave last. */
 INLINE void push_back(Stack *stack) { stack->count++; }
 
-/* The stack goes to rays whose t has another unit. */
+/* Lets any t enter what is on the stack. Needed where the stack goes to rays whose t has another unit. */
 INLINE void forget_distances(Stack *stack)
 {
     for (int i = 0; i < stack->count; i++)

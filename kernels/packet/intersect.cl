@@ -4,7 +4,7 @@
  *     beyond the bounds: the answer is certain
  *     within them: the lane is uncertain, and intersect_exactly.cl decides
  *
- * So the picture does not depend on the bounds. They only say how often the exact way is gone. docs/kernels.md,
+ * So the picture does not depend on the bounds. They only decide how often exact arithmetic is needed. docs/kernels.md,
  * section 5. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
@@ -67,8 +67,8 @@ NOINLINE bool resolve_nearest_exactly(const World *world, const Ray *ray, Mask u
     return true;
 }
 
-/* The lanes in which rounding might make the back of a closed box as near as its front: the ray passes an edge of face
- * i closely, or meets its plane close to the nearest face. */
+/* The lanes in which rounding might make the back of a closed box as near as its front. There the ray passes an edge of
+ * face i closely, or meets its plane close to the nearest face. */
 NOINLINE Mask near_tie(const World *world, const Ray *ray, Mask lanes, int i, const Nearest *nearest)
 {
 #if REAL_DOUBLE || HAS_DOUBLE

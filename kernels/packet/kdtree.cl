@@ -80,7 +80,7 @@ INLINE Part part_in_tree(const World *world, const RayBounds *b)
 /* Does the bundle miss all that is in the tree? */
 INLINE bool misses_all(const World *world, const RayBounds *b) { return part_is_empty(b, part_in_tree(world, b)); }
 
-/* The way through the whole tree. */
+/* A stack that holds the root alone. */
 INLINE Stack stack_of(const World *world, const RayBounds *b)
 {
     Stack stack;
@@ -92,7 +92,7 @@ INLINE Stack stack_of(const World *world, const RayBounds *b)
 /* Puts back the leaf that next_leaf gave last. */
 INLINE void push_back(Stack *stack) { stack->count++; }
 
-/* The stack goes to rays whose t has another unit. */
+/* Lets any t enter what is on the stack. Needed where the stack goes to rays whose t has another unit. */
 INLINE void forget_distances(Stack *stack)
 {
     for (int i = 0; i < stack->count; i++) {

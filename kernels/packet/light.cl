@@ -3,7 +3,7 @@
  *
  *     I = ka ia + kd id (L.N) + ks is (N.H)^(alpha/4),   H = (L + V) / |L + V|
  *
- * This is the one place of the formula in the kernels: packets of rays and whole tiles are shaded by it.
+ * Packets of rays and whole tiles are shaded by this one formula. plain.cl, which is to be read by itself, has its own.
  * docs/algorithm.md, section 7. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
@@ -14,7 +14,7 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* A material in a light: what does not depend on the point. */
+/* The terms of a material in a light, as far as they do not depend on the point. */
 typedef struct LightTerms {
     real3 ambient, diffuse, specular; /* ka ia, kd id, ks is */
     real exponent;                    /* alpha/4 */

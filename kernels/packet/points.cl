@@ -1,5 +1,5 @@
 /* Exact hit points, in `wide`, and the points next to them at which shadow rays and reflected rays start. A point is
- * computed when it is first needed: for most hits the approximate point of approx.cl is enough. Computing them only
+ * computed when it is first needed. For most hits the approximate point of approx.cl is enough. Computing points only
  * for those faces of a packet where a ray is uncertain took 7 % from the time of menger-4. docs/algorithm.md, section
  * 6. */
 #include "shared/compiler.cl"

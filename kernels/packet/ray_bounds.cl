@@ -15,7 +15,7 @@
 #include "packet/rays.cl"
 #include "packet/vectors.cl"
 
-/* The bounds on one axis. Directions are scaled to a largest component of 1, but for rays from an apex. */
+/* The bounds on one axis. Directions are scaled to a largest component of 1, except those of rays from an apex. */
 typedef struct Slab {
     real origin_low, origin_high;
     real inverse_low, inverse_high; /* 1 / the lowest and the highest direction */
@@ -31,7 +31,7 @@ typedef struct RayBounds {
 /* Larger by more than what the rounding of a few operations can take away. */
 #define GROWN(x) ((x) * (1 + 32 * REAL_ROUNDING))
 
-/* Of the active lanes. */
+/* The lowest and the highest value of the active lanes. */
 INLINE real lowest(Lanes x, Mask active) { return lanes_lowest(active ? x : (Lanes)REACH_ALL); }
 INLINE real highest(Lanes x, Mask active) { return -lowest(-x, active); }
 
@@ -112,7 +112,7 @@ INLINE RayBounds bounds_of(const RealRay *l, Mask active)
     return b;
 }
 
-/* All hits so far are nearer than that. */
+/* Shortens the rays to `reach`, since none has to look for a farther hit. */
 INLINE void bounds_shorten(RayBounds *b, real reach) { b->reach = reach < REACH_ALL ? GROWN(reach) : REACH_ALL; }
 
 /* Narrows [enter, leave] to where the bundle may be between two planes, for the planes of LANES boxes at once. NaN,

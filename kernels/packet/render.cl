@@ -63,7 +63,7 @@ INLINE void render_tile(const World *world, const Apex *apex, const Camera *came
     store_tile(p, first_column, first_row, sum, rgb);
 }
 
-/* Do all rays of the area miss all faces? One lane asks that tile by tile only. */
+/* Do all rays of the area miss all faces? With one lane a block is one tile, and render_tile finds out. */
 INLINE bool is_empty_area(const World *world, const Apex *apex, const Camera *camera, const Area *area)
 {
     if (BLOCK_AREAS == 1)

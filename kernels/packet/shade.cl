@@ -1,4 +1,4 @@
-/* What hits look like: their surfaces, their lights, their colours.
+/* Shading: the surface that each ray has hit, and the colour that the lights give it.
  *
  *     for each light
  *         for each packet: which lanes face the light; their shadow rays, from the light to the points
@@ -101,7 +101,7 @@ INLINE Vec find_viewer(const World *world, const wide *eye, const Surface *surfa
     return vec_unit(vec_to_real(along_ray ? wide_minus(d) : wide_sub(at, points->point[p])));
 }
 
-/* On which side of a face a light is. It is kept, since neighbouring packets mostly ask for the same face. */
+/* On which side of a face a light is. It is kept, since neighbouring packets mostly hit the same face. */
 typedef struct LightSide {
     int face; /* -1: none yet */
     wide distance;
@@ -173,7 +173,7 @@ INLINE Vec find_light(const OriginPacket *packet, const wide *light, const LazyP
     return vec_minus(packet->ahead);
 }
 
-/* What a light adds. counted: the lanes that its ambient term reaches; reaches: those that all of it does. */
+/* What a light adds. counted: the lanes that get its ambient term; reaches: those that get its other terms, too. */
 INLINE Vec illuminate(const World *world, const Surface *surface, global const real *light, Vec to_light,
                       Mask counted, Mask reaches)
 {
@@ -194,8 +194,8 @@ INLINE Vec illuminate(const World *world, const Surface *surface, global const r
     return colour;
 }
 
-/* Adds up what all lights do to the active lanes of `points`. apex: as find_surface. uncertain: the lanes whose points
- * rounding may have put into a closed box. */
+/* The illumination of the active lanes of `points` by all lights. apex: as find_surface. uncertain: the lanes whose
+ * points rounding may have put into a closed box. */
 INLINE void shade(const World *world, const Surface *surfaces, const wide *apex, const Path *paths, LazyPoints *points,
                   const Mask *uncertain, Illumination *sums)
 {

@@ -40,8 +40,8 @@ typedef struct Eye {
     const RayBounds *bounds; /* of all rays of the tile */
 } Eye;
 
-/* The lanes of packet p whose rays come from that image of the eye. What is one image in exact arithmetic, rounding
- * makes several, which lie close together. */
+/* The lanes of a packet whose rays come from that image of the eye. Rounding moves images a little. Those that lie close
+ * together count as one. */
 INLINE Mask lanes_of_image(const Path *path, const Ray *ray, WideVec image)
 {
     WideVec from = wide_sub(ray->origin, image), apart = wide_sub(path->apex, image);
@@ -113,8 +113,9 @@ INLINE void find_nearest(const World *world, const Eye *eye, bool from_eye, cons
     }
 }
 
-/* Adds to each path's total the colours of its hits, each weighted by the mirrors before it. bounces: so many mirrors
- * the rays have met already. resume: of the first search, as find_nearest_from. trails: of each packet, or NULL. */
+/* Adds to each path's total the colours of its hits, each weighted by the mirrors before it. bounces: how many
+ * mirrors the rays have met already. resume: for the first search, as find_nearest_from. trails: of each packet, or
+ * NULL. */
 static void trace_paths(const World *world, const Eye *eye, int bounces, Path *paths, Ray *rays,
                         const Traversal *resume, Trail *trails)
 {

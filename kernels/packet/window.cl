@@ -71,7 +71,7 @@ INLINE RayBounds bounds_of_frustum(const Apex *a, const Frustum *c, real spread)
     return bounds_within(a, low, high);
 }
 
-/* Do all rays miss all faces, and is that worth nothing more than the background? */
+/* Do all rays miss all faces, so that they show the background? `--no-skip empty_tile` makes it false. */
 INLINE bool is_empty(const World *world, const RayBounds *seen)
 {
     return MAY_SKIP(world->parameters, SKIP_EMPTY_TILE) && misses_all(world, seen);

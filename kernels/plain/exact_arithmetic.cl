@@ -2,7 +2,8 @@
  * - each yes or no (parallel, behind, inside, in front of a plane, blocked) is that of the numbers as they are stored;
  * - a shifted point lies on its side of the face, so that no ray meets the face that it leaves.
  * Values are rounded as usual; where their rounding error might hide the sign, shared/exact.cl finds it.
- * docs/algorithm.md, sections 3 to 6, has the proofs; src/scene/geometry.c has the same in C. */
+ * docs/algorithm.md, sections 3 to 6, has the formulas, docs/bounds.md the proofs; src/scene/geometry.c is the same in
+ * C. */
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "shared/exact.cl"

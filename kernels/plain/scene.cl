@@ -55,7 +55,7 @@ static global const real *face_material(const Scene *scene, int face)
     return scene->materials + (size_t)(scene->faces[face].material & ~FACE_FLAT) * MATERIAL_REALS;
 }
 
-/* A vector whose rounded value is at `row`, and what rounding took so many numbers further. */
+/* A vector that is stored in two parts: its rounded value at `row`, and what rounding took from it at `row + low`. */
 static wide3 vector_at(global const real *row, int low)
 {
     return (wide3)((wide)row[0] + row[low], (wide)row[1] + row[low + 1], (wide)row[2] + row[low + 2]);

@@ -1,4 +1,4 @@
-/* What we tell the compiler beside the code itself. */
+/* Hints to the compiler. */
 
 /* A function that is called instead passes its vectors through memory: that pays where it is long and seldom needed. */
 #define INLINE static inline __attribute__((always_inline))

@@ -6,8 +6,7 @@
 #ifndef RECTRAY_LAYOUT_H
 #define RECTRAY_LAYOUT_H
 
-
-/* What only those rays need of a face that hit it: half of a cache line. */
+/* What a ray needs of a face only once it has hit it: half of a cache line. */
 typedef struct FaceRecord {
     int material; /* its number, and FACE_FLAT */
     int index;    /* the face's place in the scene; on the device, faces stand in the order of the tree's leaves */
@@ -37,7 +36,7 @@ typedef struct Parameters {
     float shift;        /* textbook arithmetic only: how far off its face a point is shifted */
 } Parameters;
 
-/* What all rays need of a face that come near it. In float it is one cache line. */
+/* What each ray that comes near a face needs of it. In float it is one cache line. */
 enum {
     FACE_VERTICES = 0, /* 4 x, 4 y, 4 z: exactly the float32 vertices of the scene; a triangle repeats its first */
     FACE_NORMAL = 12,  /* 3, unit */
@@ -79,7 +78,7 @@ enum {
     MATERIAL_REALS = 12
 };
 
-/* Value i is row[i], rounded, and row[VIEW_REALS + i], what rounding took away: their sum. */
+/* Value i is the sum of two numbers: row[i], which is rounded, and row[VIEW_REALS + i], what rounding took away. */
 enum {
     VIEW_EYE = 0,
     VIEW_FORWARD = 3, /* times the screen's distance */
