@@ -1,4 +1,4 @@
-/* How faces are found. All of them are asked, or those in the leaves of a tree that the rays meet. */
+/* How faces are found: all of them are tested, or those in the leaves of a tree that the rays meet. */
 #include "shared/precision.cl"
 
 /* The values of the build option ACCEL. */

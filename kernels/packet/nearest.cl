@@ -3,7 +3,7 @@
  *     all packets of the tile are one group
  *     for each leaf of the tree that the bounds of the group's rays meet, the nearest first
  *         for each face of the leaf
- *             set it up once, as seen from the apex, and ask it packet by packet
+ *             set it up once, as seen from the apex, and test it packet by packet
  *         shorten the bounds to the farthest hit
  *     after NEAREST_BUDGET faces: each packet goes on by itself, where the group stopped
  *
@@ -23,13 +23,13 @@
 #include "packet/tree.cl"
 #include "packet/world.cl"
 
-/* A group that has asked so many faces is cut into packets; tuned on the ladder of scenes. */
+/* A group that has tested so many faces is cut into packets; tuned on the ladder of scenes. */
 enum { NEAREST_BUDGET = 16 };
 
-/* What an interrupted search has still to ask. */
+/* What an interrupted search has left to test. */
 typedef struct Traversal {
     Stack stack; /* of the tree's nodes and leaves */
-    int face;    /* one face to be asked before those; -1: none */
+    int face;    /* one face to be tested before those; -1: none */
 } Traversal;
 
 INLINE Traversal begin_traversal(const World *world, const RayBounds *b)
@@ -61,41 +61,42 @@ INLINE real farthest(const Nearest *n, Mask active)
     return lowest > 1 / REACH_ALL ? 1 / lowest : REACH_ALL;
 }
 
-/* Asks face i for packet p; true if it is nearer in some lane. */
-INLINE bool ask_packet(const World *world, const Group *g, int p, Visibility visibility, const FaceSetup *face, int i)
+/* Tests face i for packet p. True: it is nearer in some lane. */
+INLINE bool intersect_packet(const World *world, const Group *g, int p, Visibility visibility, const FaceSetup *face,
+                             int i)
 {
     const OriginPacket *packet = g->packets + p;
     if (visibility == VISIBLE)
         return intersect_nearest_from(world, packet, g->rays + p, face, i, g->nearest + p, g->uncertain + p);
     g->uncertain[p] |= packet->active;
-    Mask asked = packet->active & IS(packet->from != (Mask)i);
-    return resolve_nearest_exactly(world, g->rays + p, asked, i, g->nearest + p);
+    Mask tested = packet->active & IS(packet->from != (Mask)i);
+    return resolve_nearest_exactly(world, g->rays + p, tested, i, g->nearest + p);
 }
 
-/* Finds the nearest faces ahead of the group's active lanes among those that are still to be asked. b: bounds of its
+/* Finds the nearest faces ahead of the group's active lanes among those that are still to be tested. b: bounds of its
  * rays. cull_boxes: see setup_face. False: it stopped after more than `budget` faces, and the traversal holds the
  * others. */
 INLINE bool traverse_nearest(const World *world, const Apex *a, const Group *g, RayBounds b, Traversal *traversal,
                              uint budget, bool cull_boxes)
 {
     real reach[PACKETS];
-    uint lanes = 0, asked = 0;
+    uint lanes = 0, tested = 0;
     EACH_OF(p, g->count) {
-        uint asking = mask_count(g->packets[p].active);
-        reach[p] = asking ? farthest(g->nearest + p, g->packets[p].active) : 0;
-        lanes += asking;
+        uint active = mask_count(g->packets[p].active);
+        reach[p] = active ? farthest(g->nearest + p, g->packets[p].active) : 0;
+        lanes += active;
     }
     if (lanes == 0)
         return true;
     if (cull_boxes)
         bounds_cull_sides(&b, false);
-    for (int first, count; asked <= budget;) {
+    for (int first, count; tested <= budget;) {
         bool single = traversal->face >= 0;
         if (single)
             count = 1;
         else if (!next_leaf(world, &b, lanes, &traversal->stack, &first, &count))
             break;
-        asked += (uint)count;
+        tested += (uint)count;
         for (int k = 0; k < count; k++) {
             int i = single ? traversal->face : face_in_leaf(world, first + k);
             FaceSetup face;
@@ -108,7 +109,7 @@ INLINE bool traverse_nearest(const World *world, const Apex *a, const Group *g, 
             real farthest_reach = 0;
             EACH_OF(p, g->count) {
                 if (reach[p] > 0) {
-                    if (ask_packet(world, g, p, visibility, &face, i))
+                    if (intersect_packet(world, g, p, visibility, &face, i))
                         reach[p] = farthest(g->nearest + p, g->packets[p].active);
                     farthest_reach = GREATER(farthest_reach, reach[p]);
                 }
@@ -117,8 +118,8 @@ INLINE bool traverse_nearest(const World *world, const Apex *a, const Group *g, 
         }
         traversal->face = -1;
     }
-    world->counters[COUNT_FACE_TESTS] += lanes * asked;
-    return asked <= budget;
+    world->counters[COUNT_FACE_TESTS] += lanes * tested;
+    return tested <= budget;
 }
 
 /* Finds the nearest faces of a whole tile: of all its packets together, then of single packets where a group stops,

@@ -130,23 +130,23 @@ static Mask faces_light(const World *world, const Surface *surface, const wide *
     return facing;
 }
 
-/* The lanes whose way to the light is to be searched. facing: the lanes that face it; those that it may count for are
- * left. Counts what is skipped. */
-INLINE Mask lanes_to_ask(const World *world, global const real *light, Mask active, Mask *facing)
+/* The lanes that want a shadow ray to the light, and counts those that are skipped. facing: the lanes that face the
+ * light; none is left where the light does not matter. */
+INLINE Mask shadow_rays_wanted(const World *world, global const real *light, Mask active, Mask *facing)
 {
     uint *skipped = world->counters + COUNT_SKIPPED;
-    bool wanted = wants_light(world, light);
-    Mask asking = *facing;
-    if (!wanted)
+    bool matters = wants_light(world, light);
+    Mask wanted = *facing;
+    if (!matters)
         skipped[SKIP_LIGHT_AMBIENT] += mask_count(*facing);
     if (MAY_SKIP(world->parameters, SKIP_LIGHT_BEHIND))
         skipped[SKIP_LIGHT_BEHIND] += mask_count(active & ~*facing);
     else
-        asking = active;
-    if (!wanted)
-        asking = *facing = (Mask)0;
-    world->counters[COUNT_SHADOW] += mask_count(asking);
-    return asking;
+        wanted = active;
+    if (!matters)
+        wanted = *facing = (Mask)0;
+    world->counters[COUNT_SHADOW] += mask_count(wanted);
+    return wanted;
 }
 
 /* The shadow rays of packet p, from the light to its points: approximate points, or the exact ones where those are too
@@ -210,20 +210,20 @@ INLINE void shade(const World *world, const Surface *surfaces, const wide *apex,
         light_position(light, position);
         LightSide side = {-1, 0};
         OriginPacket packets[PACKETS];
-        Mask facing[PACKETS], asking[PACKETS], blocked[PACKETS];
+        Mask facing[PACKETS], wanted[PACKETS], blocked[PACKETS];
         EACH_PACKET(p) {
-            facing[p] = asking[p] = (Mask)0;
+            facing[p] = wanted[p] = (Mask)0;
             packets[p] = no_origin_packet();
             if (!ANY(active[p]))
                 continue;
             facing[p] = faces_light(world, surfaces + p, position, active[p], &side);
-            asking[p] = lanes_to_ask(world, light, active[p], facing + p);
+            wanted[p] = shadow_rays_wanted(world, light, active[p], facing + p);
             packets[p].from = surfaces[p].face;
             Vec from_apex = from_apexes(position, apex, &paths[p].apex);
             aim_shadow_rays(packets + p, position, &surfaces[p].approx, from_apex, points, p);
         }
         ShadowGroup group = {position, packets, points, blocked};
-        find_blocked(world, &group, asking, uncertain, 0);
+        find_blocked(world, &group, wanted, uncertain, 0);
         EACH_PACKET(p) {
             Mask reaches = facing[p] & ~blocked[p];
             sums[p].lit |= reaches;

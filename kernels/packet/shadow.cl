@@ -5,7 +5,7 @@
  *         take those whose directions are like that of the first one: a group
  *         for each leaf of the tree that the bounds of the group's rays meet
  *             for each face of the leaf
- *                 set it up once, as seen from the light, and ask it packet by packet
+ *                 set it up once, as seen from the light, and test it packet by packet
  *                 rays that it blocks leave the group
  *         after BLOCKED_BUDGET faces: cut the group to directions that are more alike, and go on where it stopped
  *
@@ -27,7 +27,7 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-/* A group that has asked so many faces is cut; tuned on the ladder of scenes. */
+/* A group that has tested so many faces is cut; tuned on the ladder of scenes. */
 enum { BLOCKED_BUDGET = 12 };
 
 /* The directions of a group differ by up to NEAR_MOST in each component. Each cut divides that by 8; groups that have
@@ -72,18 +72,18 @@ INLINE RayBounds bounds_of_shadow_rays(const Apex *a, const OriginPacket *packet
     return b;
 }
 
-/* Asks the faces that `stack` leads to for the active lanes of the group. Lanes that are blocked are active no more.
+/* Tests the faces that `stack` leads to for the active lanes of the group. Lanes that are blocked are active no more.
  * b: bounds of the rays. False: it stopped after more than `budget` faces, and the stack leads to the others. */
 INLINE bool traverse_segments(const World *world, const Apex *a, const ShadowGroup *g, RayBounds b, Stack *stack,
                               uint budget, bool cull_boxes)
 {
-    uint asking[PACKETS], lanes = 0, asked = 0;
+    uint active[PACKETS], lanes = 0, tested = 0;
     EACH_PACKET(p)
-        lanes += asking[p] = mask_count(g->packets[p].active);
+        lanes += active[p] = mask_count(g->packets[p].active);
     if (cull_boxes)
         bounds_cull_sides(&b, true);
-    for (int first, count; asked <= budget && next_leaf(world, &b, lanes, stack, &first, &count);) {
-        asked += (uint)count;
+    for (int first, count; tested <= budget && next_leaf(world, &b, lanes, stack, &first, &count);) {
+        tested += (uint)count;
         for (int k = first; k < first + count; k++) {
             int i = face_in_leaf(world, k);
             world->counters[COUNT_FACE_TESTS] += lanes;
@@ -95,7 +95,7 @@ INLINE bool traverse_segments(const World *world, const Apex *a, const ShadowGro
                 continue;
             }
             EACH_PACKET(p) {
-                if (asking[p] == 0)
+                if (active[p] == 0)
                     continue;
                 OriginPacket *packet = g->packets + p;
                 Mask hit = (Mask)0, uncertain = packet->active & IS(packet->from != (Mask)i);
@@ -106,31 +106,31 @@ INLINE bool traverse_segments(const World *world, const Apex *a, const ShadowGro
                 if (ANY(hit)) {
                     g->blocked[p] |= hit;
                     packet->active &= ~hit;
-                    lanes -= asking[p];
-                    lanes += asking[p] = mask_count(packet->active);
+                    lanes -= active[p];
+                    lanes += active[p] = mask_count(packet->active);
                 }
             }
             if (lanes == 0)
                 return true;
         }
     }
-    return asked <= budget;
+    return tested <= budget;
 }
 
-/* Finds which of the lanes `asking` are blocked. Of closed boxes, half of the faces are culled; but the lanes that are
- * `uncertain` come last, and all faces are asked for them. stack: leads to all faces that may block some lane; NULL:
+/* Finds which of the `wanted` lanes are blocked. Half of the faces of closed boxes are culled. The lanes that are
+ * `uncertain` come last, and for them all faces are tested. stack: leads to all faces that may block some lane; NULL:
  * the root does. */
-NOINLINE void find_blocked(const World *world, const ShadowGroup *g, const Mask *asking, const Mask *uncertain,
+NOINLINE void find_blocked(const World *world, const ShadowGroup *g, const Mask *wanted, const Mask *uncertain,
                            const Stack *stack)
 {
     Apex a = apex_at(g->light, 0, 1 + 4 * REAL_ROUNDING);
     Mask rest[NEAR_LEVELS][PACKETS]; /* level 0: of all lanes; each next level: of a group that has been cut */
-    Stack stacks[NEAR_LEVELS - 1];   /* what that group has left to ask */
+    Stack stacks[NEAR_LEVELS - 1];   /* what that group has left to test */
     real near = NEAR_MOST;
     bool cull_boxes = true;
     EACH_PACKET(p) {
         g->blocked[p] = (Mask)0;
-        rest[0][p] = asking[p] & ~uncertain[p];
+        rest[0][p] = wanted[p] & ~uncertain[p];
     }
     for (int level = 0;;) {
         if (!any_packet(rest[level])) {
@@ -143,7 +143,7 @@ NOINLINE void find_blocked(const World *world, const ShadowGroup *g, const Mask 
                 return;
             cull_boxes = false;
             EACH_PACKET(p)
-                rest[0][p] = asking[p] & uncertain[p];
+                rest[0][p] = wanted[p] & uncertain[p];
             continue;
         }
         Mask group[PACKETS];

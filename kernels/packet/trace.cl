@@ -40,8 +40,8 @@ typedef struct Eye {
     const RayBounds *bounds; /* of all rays of the tile */
 } Eye;
 
-/* The lanes of a packet whose rays come from that image of the eye. Rounding moves images a little. Those that lie close
- * together count as one. */
+/* The lanes of a packet whose rays come from that image of the eye. Rounding moves images a little. Those that lie
+ * close together count as one. */
 INLINE Mask lanes_of_image(const Path *path, const Ray *ray, WideVec image)
 {
     WideVec from = wide_sub(ray->origin, image), apart = wide_sub(path->apex, image);

@@ -1,4 +1,4 @@
-/* No tree: every face is asked, in the order of the file. */
+/* No tree: every face is tested, in the order of the file. */
 #include "shared/layout.h"
 #include "plain/scene.cl"
 
@@ -8,7 +8,7 @@ typedef struct Traversal {
 
 static void begin_traversal(Scene *scene, Ray ray, Traversal *way) { way->done = false; }
 
-/* The next faces to ask are first .. first + count - 1. False: there are none. */
+/* The next faces to test are first .. first + count - 1. False: there are none. */
 static bool next_leaf(Scene *scene, Ray ray, wide limit, Traversal *way, int *first, int *count)
 {
     bool more = !way->done;

@@ -107,7 +107,7 @@ INLINE bool light_facet_by(const World *world, MirrorChain *chain, const Patch *
         uint backs = world->counters[COUNT_SKIPPED + SKIP_BACK_FACE];
         shadow = facing || chain->tile ? classify_light(world, chain, patch, i, position, &stack) : PARTLY_SHADOWED;
         if (shadow == PARTLY_SHADOWED && !chain->tile) {
-            world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* parts of the window ask again */
+            world->counters[COUNT_SKIPPED + SKIP_BACK_FACE] = backs; /* the parts of the window count them again */
             chain->decided &= chain->dark;
             return true;
         }

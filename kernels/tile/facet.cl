@@ -40,7 +40,7 @@ typedef struct Facet {
     bool along_ray;        /* the viewer is where the ray comes from */
     global const real *material;
     real reflection;
-    uint asked, behind, ambient_only; /* so many lights want shadow rays; are behind it; do not matter */
+    uint want_shadow, behind, ambient_only; /* so many lights want shadow rays; are behind it; do not matter */
     uint dull;      /* so many lights reach all rays, and make no highlight */
     uint dull_rays; /* lights that reach only some rays and make no highlight: their rays' number, added up */
     int next_light, light_count;
@@ -52,7 +52,7 @@ INLINE void make_facet(const World *world, CoveringFace seen, const Camera *came
 {
     f->face = seen.face;
     f->last = true;
-    f->asked = f->behind = f->ambient_only = f->dull = f->dull_rays = 0;
+    f->want_shadow = f->behind = f->ambient_only = f->dull = f->dull_rays = 0;
     f->next_light = f->light_count = 0;
     if (seen.face < 0)
         return;
@@ -83,7 +83,7 @@ INLINE void add_light(const World *world, global const real *light, bool facing,
 {
     f->behind += !facing && MAY_SKIP(world->parameters, SKIP_LIGHT_BEHIND);
     f->ambient_only += facing && !wants_light(world, light);
-    f->asked += wants_shadow_rays(world, light, facing);
+    f->want_shadow += wants_shadow_rays(world, light, facing);
     if (!facing)
         shadow = SHADOWED;
     if (shadow == SHADOWED && !world->parameters->shadow_ambient)
@@ -99,11 +99,11 @@ INLINE void add_light(const World *world, global const real *light, bool facing,
     f->dull += shadow == LIT && !l->terms.has_highlight;
 }
 
-/* Counts what so many rays would have asked for at the facet. */
+/* Counts what so many rays do at the facet. */
 INLINE void count_facet(const World *world, const Facet *f, uint rays)
 {
     world->counters[COUNT_SKIPPED + SKIP_WHOLE_TILE] += rays;
-    world->counters[COUNT_SHADOW] += rays * f->asked;
+    world->counters[COUNT_SHADOW] += rays * f->want_shadow;
     world->counters[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] += rays * f->behind;
     world->counters[COUNT_SKIPPED + SKIP_LIGHT_AMBIENT] += rays * f->ambient_only;
     world->counters[COUNT_SKIPPED + SKIP_HIGHLIGHT] += rays * f->dull + f->dull_rays;

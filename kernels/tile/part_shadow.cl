@@ -26,15 +26,15 @@ NOINLINE bool find_part_shadow(const World *world, const MirrorChain *chain, con
     Path paths[PACKETS];
     Ray rays[PACKETS];
     Nearest nearest[PACKETS];
-    Mask all[PACKETS], uncertain[PACKETS], asking[PACKETS];
+    Mask all[PACKETS], uncertain[PACKETS], wanted[PACKETS];
     OriginPacket packets[PACKETS];
     Vec light = from_apexes(position, f->camera.eye, 0);
     EACH_PACKET(p) {
         Vec ahead, l;
         Lanes share;
         ApproxPoint approx = approx_on_facet(f, chain->tile->places, p, &ahead);
-        asking[p] = chain->tile->paths[p].active;
-        if (!approx_towards(&approx, light, asking[p], &l, &packets[p].per_end, &share))
+        wanted[p] = chain->tile->paths[p].active;
+        if (!approx_towards(&approx, light, wanted[p], &l, &packets[p].per_end, &share))
             return false;
         packets[p].ahead = vec_minus(l);
         packets[p].slack = SLACK_OF(share);
@@ -49,6 +49,6 @@ NOINLINE bool find_part_shadow(const World *world, const MirrorChain *chain, con
     LazyPoints points;
     begin_points(world, &points, rays, nearest, all, bounces == 0);
     ShadowGroup group = {position, packets, &points, blocked};
-    find_blocked(world, &group, asking, uncertain, stack);
+    find_blocked(world, &group, wanted, uncertain, stack);
     return true;
 }
