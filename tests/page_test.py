@@ -354,7 +354,7 @@ class InBrowser(unittest.TestCase):
             self.value("document.querySelector('.path').textContent"), "mirror → star/32 → far wall"
         )
         self.assertIn("pixel=225,95", self.value("location.hash"))
-        labels = self.value("[...document.querySelectorAll('.label.hit-label')].map(l => l.textContent)")
+        labels = self.value("[...document.querySelectorAll('.label.of-hit')].map(l => l.textContent)")
         self.assertEqual(sorted(labels), ["P1", "P2", "P3"])
 
     def test_answer_has_the_sums_of_the_walkthrough(self):
@@ -506,7 +506,7 @@ class InBrowser(unittest.TestCase):
             self.open(GALLERY + "&pixel=225,95")
         finally:
             self.browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
-        self.assertTrue(self.value("$('plans').querySelector('svg') !== null"))
+        self.wait("$('plans').querySelector('img').naturalWidth > 500")
         self.assertIn("WebGL2", self.value("$('space-note').textContent"))
 
     # --- The scene file ---

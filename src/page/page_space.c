@@ -46,7 +46,7 @@ void page_list_faces(Page *page)
         page_add_number(numbers, face->front_only);
         for (int k = 0; k < 4; k++)
             add_place(page, face_vertex(face, k));
-        page_add_vector(numbers, vec3(fmin(colour.x, 1), fmin(colour.y, 1), fmin(colour.z, 1)));
+        page_add_vector(numbers, vec3_scale(1 / fmax(vec3_largest(colour), 1), colour));
         page_add_vector(numbers, page->scene.planes[f].normal);
     }
 }

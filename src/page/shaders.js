@@ -13,7 +13,7 @@ void main() {
   gl_Position = matrix * vec4(position, 1);
   vec3 to = onlooker - position;
   seen = cut > 0.5 ? dot(normal, to) : 1.0;
-  shade = colour * (0.55 + 0.45 * abs(dot(normal, normalize(to))));
+  shade = colour * (0.45 + 0.55 * abs(dot(normal, normalize(normalize(to) + vec3(0.3, 0.5, 0.1)))));
 }`;
 
 const FACES_FRAGMENT = `#version 300 es
@@ -23,7 +23,7 @@ in float seen;
 out vec4 colour;
 void main() {
   if (seen < 0.0) discard;
-  colour = vec4(pow(shade, vec3(0.85)), 1);
+  colour = vec4(shade, 1);
 }`;
 
 const VERDICTS_VERTEX = `#version 300 es

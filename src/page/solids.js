@@ -1,15 +1,22 @@
 // Which objects are solid things, seen from outside, and which are walls and sheets around or behind what one looks at.
 'use strict';
 
-// Whether all vertices lie on one side of each face.
-function isConvex(faces) {
+const heightOver = (face, point) => vec.dot(face.normal, vec.sub(point, face.vertices[0]));
+
+// Whether all vertices lie on one side of each face, and the camera on the other side of one of them.
+function isConvexSeenFromOutside(faces, camera) {
+    if (faces.length < 2 || faces.length > 100) return false;
     const vertices = faces.flatMap(face => face.vertices);
     const slack = 1e-4 * vec.length(vec.sub(vertices[0], vertices[2]));
-    const isOneSided = face => {
-        const heights = vertices.map(v => vec.dot(face.normal, vec.sub(v, face.vertices[0])));
-        return heights.every(h => h < slack) || heights.every(h => h > -slack);
-    };
-    return faces.length < 100 && faces.every(isOneSided);
+    let outside = false;
+    for (const face of faces) {
+        const heights = vertices.map(v => heightOver(face, v));
+        const low = Math.min(...heights);
+        const high = Math.max(...heights);
+        if (low < -slack && high > slack) return false;
+        outside = outside || heightOver(face, camera) * (low + high) < 0;
+    }
+    return outside;
 }
 
 // Whether every edge belongs to two faces.
@@ -23,14 +30,16 @@ function isClosed(faces) {
     return [...counts.values()].every(count => count === 2);
 }
 
-// The numbers of the objects that turn some faces to the camera and some away, and are closed, or convex as a block
-// without a floor is. isTurned(face): away from the camera.
-function findSolids(faces, isTurned) {
+// The numbers of the objects that are convex, as a block without a floor is, or closed, with faces that are turned to the
+// camera and others that are turned away: it is outside of them.
+function findSolids(faces, camera) {
     const objects = new Map();
     for (const face of faces) {
         if (!objects.has(face.object)) objects.set(face.object, []);
         objects.get(face.object).push(face);
     }
-    const isSolid = own => own.some(isTurned) && !own.every(isTurned) && (isClosed(own) || isConvex(own));
+    const isTurned = face => heightOver(face, camera) < 0;
+    const isSolid = own =>
+        isConvexSeenFromOutside(own, camera) || (own.some(isTurned) && !own.every(isTurned) && isClosed(own));
     return new Set([...objects].filter(([, own]) => isSolid(own)).map(([number]) => number));
 }

@@ -103,16 +103,20 @@ function showRays() {
     const lines = linesOfPixel();
     marks = lines
         .filter(line => line.kind <= REFLECTED && !line.leaves && weightOf(line))
-        .map(line => ({at: line.to, text: 'P' + line.hit, kind: 'hit-label'}));
+        .map(line => ({at: line.to, text: 'P' + line.hit, kind: 'of-hit'}));
     marks.push(
         {at: view.camera, text: 'C', kind: ''},
-        ...view.lights.slice(0, 12).map((at, k) => ({at, text: 'light ' + k, kind: 'light-label'})),
+        ...view.lights.slice(0, 12).map((at, k) => ({at, text: 'light ' + k, kind: 'of-light'})),
     );
     view.showLines([...sceneLines(), ...lines.flatMap(rayLines)]);
 }
 
 function showPlans() {
-    $('plans').innerHTML = page.pixel ? page.tracer.trace(...page.pixel, 'svg') : '';
+    if (!page.pixel) return;
+    const svg = page.tracer.trace(...page.pixel, 'svg');
+    $('plans').replaceChildren(
+        element('img', {src: 'data:image/svg+xml,' + encodeURIComponent(svg), alt: 'two plans of the scene and the path'}),
+    );
 }
 
 function showTested() {

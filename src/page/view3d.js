@@ -85,12 +85,12 @@ class View3D {
     // sides.
     fillFaces() {
         const data = [];
-        const isTurned = face => vec.dot(face.normal, vec.sub(this.camera, face.vertices[0])) < 0;
+        const isTurned = face => heightOver(face, this.camera) < 0;
         this.faceCount = this.list.length / FACE_NUMBERS;
         this.triangles = [];
         this.outline = [];
         const faces = Array.from({length: this.faceCount}, (_, f) => this.face(f));
-        const solids = findSolids(faces, isTurned);
+        const solids = findSolids(faces, this.camera);
         for (const face of faces) {
             const cut = !solids.has(face.object) || face.front;
             const normal = isTurned(face) && !face.front && cut ? vec.scale(-1, face.normal) : face.normal;
