@@ -81,7 +81,7 @@ in vec3 paint;
 in float along, gap;
 out vec4 colour;
 void main() {
-  if (gap > 0.0 && fract(along / gap) > 0.5) discard;
+  if (gap > 0.0 && fract(along / gap) > (gap > 12.0 ? 0.85 : 0.5)) discard;
   colour = vec4(paint, 1);
 }`;
 

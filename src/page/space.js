@@ -12,7 +12,7 @@ const hex = colour => [1, 3, 5].map(k => parseInt(colour.slice(k, k + 2), 16) / 
 const LINE_STYLES = [
     // the colours of walkthrough_svg.c
     {colour: hex('#1f5fa8'), width: 4},
-    {colour: hex('#b5449a'), width: 4},
+    {colour: hex('#b5449a'), width: 4, dash: 26},
     {colour: hex('#c98a00'), width: 2.5},
     {colour: hex('#c0392b'), width: 2.5, dash: 8},
     {colour: hex('#3a9a5b'), width: 3},

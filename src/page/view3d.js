@@ -150,7 +150,7 @@ class View3D {
     whole() {
         Object.assign(this, {target: this.centre, turn: 0.7, tilt: 0.45});
         const [right, up, back] = this.frame();
-        const tan = 0.95 * Math.tan(HALF_ANGLE);
+        const tan = 0.9 * Math.tan(HALF_ANGLE);
         const shape = this.canvas.clientWidth / this.canvas.clientHeight || 1.5;
         this.distance = Math.max(
             ...this.extent.map(corner => {
