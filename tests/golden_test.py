@@ -43,9 +43,9 @@ def drawing_text():
 
 
 def parts_of(output):
-    """The output's beginning and its steps, each under its first line; the last line of all is a part, too."""
+    """The summary, what stands before the steps, the steps, each under its first line, and the last line of all."""
     parts = {}
-    for part in re.split(r"\n(?=Step \d+\. |Pixel \()", output):
+    for part in re.split(r"\n(?=Step \d+\. |Step by step\n|Pixel \(.*\n\Z)", output):
         parts[part.split("\n", 1)[0]] = part.rstrip("\n")
     return parts
 
@@ -56,7 +56,7 @@ def chapter_text():
 
     def part(heading):
         """By the heading without what may change in it: "Step 3", "Pixel (1, 2) of", "Pixel (1, 2) ="."""
-        fixed = re.match(r"Step \d+|Pixel \(.*?\) \S+", heading).group(0)
+        fixed = re.match(r"Step by step|Step \d+|Pixel \(.*?\) \S+", heading).group(0)
         same = re.compile(re.escape(fixed) + r"\b|" + re.escape(fixed) + " ")
         found = [text for line, text in parts.items() if same.match(line)]
         return found[0] if found else heading + "\n(no longer there)"
@@ -66,7 +66,8 @@ def chapter_text():
             parts.clear()
             parts.update(parts_of(output_of(match.group(2).strip().removeprefix("$ "))))
             return match.group(0)
-        headings = [line for line in match.group(2).split("\n") if re.match(r"Step \d+\. |Pixel \(", line)]
+        headings = re.findall(r"(?m)^(?:Step by step|Step \d+\. .*|Pixel \(.*\) of .*)", match.group(2))
+        headings += re.findall(r"(?m)^Pixel .* = .*", match.group(2))[1 if "Pixel" in "".join(headings) else 0:]
         return "```text\n" + "\n\n".join(map(part, headings)) + "\n```\n"
 
     return re.sub(r"^```(console|text)\n(.*?)^```\n", renewed, read(CHAPTER), flags=re.M | re.S)

@@ -1,18 +1,22 @@
 #!/usr/bin/env python3
 """`rectray trace` from outside: its JSON keeps to the schema and holds all that a pixel's colour is made of, its OBJ
 and SVG are read back, and every mistake gets its message and its exit status."""
+import fcntl
 import glob
 import json
 import math
 import os
 import pty
+import random
 import re
+import struct
+import termios
 import unittest
 import xml.etree.ElementTree
 
 import jsonschema
 
-from support.program import PROGRAM, CommandTest, png_pixels
+from support.program import PROGRAM, SOAK, CommandTest, png_pixels
 
 HERE = os.getcwd()
 SCENES = sorted(glob.glob(os.path.join(HERE, "tests/scenes/walkthrough/*.json")))
@@ -413,30 +417,90 @@ class Options(CommandTest):
             self.assertEqual(self.bytes_of("walk"), out)
 
     def test_colour_is_for_terminals_that_want_it(self):
-        def on_terminal(**changes):
-            environment = {key: value for key, value in os.environ.items() if key not in ("NO_COLOR", "TERM")}
-            master, slave = pty.openpty()
-            process = self.start("trace", "scene.json", "--pixel", "4,3", stdout=slave, env={**environment, **changes})
-            os.close(slave)
-            out = b""
-            while True:
-                try:
-                    block = os.read(master, 65536)
-                except OSError:  # Linux: the other end is closed
-                    break
-                if not block:
-                    break
-                out += block
-            os.close(master)
-            process.stderr.close()
-            self.assertEqual(process.wait(), 0)
-            return out
-
-        self.assertIn(b"\033[", on_terminal(TERM="xterm"))
-        self.assertIn(b"\033[", on_terminal(TERM="xterm", NO_COLOR=""))
-        self.assertNotIn(b"\033", on_terminal(TERM="xterm", NO_COLOR="1"))
-        self.assertNotIn(b"\033", on_terminal(TERM="dumb"))
+        self.assertIn(b"\033[", self.on_terminal(TERM="xterm"))
+        self.assertIn(b"\033[", self.on_terminal(TERM="xterm", NO_COLOR=""))
+        self.assertNotIn(b"\033", self.on_terminal(TERM="xterm", NO_COLOR="1"))
+        self.assertNotIn(b"\033", self.on_terminal(TERM="dumb"))
         self.assertNotIn(b"\033", self.run_program("trace", "scene.json", "--pixel", "4,3")[0])
+        self.assertIn(b"\033[48;5;", self.on_terminal(TERM="xterm", COLORTERM=""))
+        self.assertIn(b"\033[48;2;", self.on_terminal(TERM="xterm", COLORTERM="truecolor"))
+
+    def test_colour_can_be_asked_for_and_refused(self):
+        self.assertIn(b"\033[", self.run_program("trace", "scene.json", "--pixel", "4,3", "--color", "always")[0])
+        self.assertNotIn(b"\033", self.on_terminal("--color=never", TERM="xterm"))
+
+    def on_terminal(self, *words, size=(0, 0), **changes):
+        """What a terminal of that many rows and columns shows; 0 rows: it does not say."""
+        environment = {key: value for key, value in os.environ.items()
+                       if key not in ("NO_COLOR", "TERM", "COLORTERM", "PAGER", "LESS")}
+        master, slave = pty.openpty()
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", *size, 0, 0))
+        process = self.start("trace", "scene.json", "--pixel", "4,3", *words, stdout=slave,
+                             env={**environment, **changes})
+        os.close(slave)
+        out = b""
+        while True:
+            try:
+                block = os.read(master, 65536)
+            except OSError:  # Linux: the other end is closed
+                break
+            if not block:
+                break
+            out += block
+        os.close(master)
+        process.stderr.close()
+        self.assertEqual(process.wait(), 0)
+        return out
+
+    def test_a_long_text_goes_through_the_pager_of_a_low_terminal(self):
+        paged = "sed s/^/PAGED/"
+        low, high = (24, 80), (400, 80)
+        self.assertIn(b"PAGED\033[1mPixel (4, 3)", self.on_terminal(size=low, PAGER=paged, TERM="xterm"))
+        for words, size, pager in (((), high, paged), (("--no-pager",), low, paged), (("--summary",), low, paged),
+                                   ((), (0, 0), paged), ((), low, ""), ((), low, "cat"),
+                                   ((), low, "a-pager-that-is-not-there 2>/dev/null")):
+            out = self.on_terminal(*words, size=size, PAGER=pager, TERM="xterm")
+            self.assertNotIn(b"PAGED", out)
+            self.assertIn(b"Pixel (4, 3) = ", out)
+        out, _ = self.run_program("trace", "scene.json", "--pixel", "4,3", env={**os.environ, "PAGER": paged})
+        self.assertNotIn(b"PAGED", out)
+
+    def test_lines_are_as_wide_as_the_terminal_or_as_asked_for(self):
+        def widest(out):
+            return max(map(len, out.decode().splitlines()))
+        self.assertLessEqual(widest(self.on_terminal(size=(400, 80), TERM="dumb")), 80)
+        self.assertLessEqual(widest(self.on_terminal(size=(400, 40), TERM="dumb")), 80)
+        self.assertIn(widest(self.on_terminal(size=(400, 130), TERM="dumb")), range(101, 131))
+        self.assertIn(widest(self.on_terminal("--width", "90", size=(400, 130), TERM="dumb")), range(81, 91))
+        for words, columns in (((), 100), (("--width=80",), 80), (("--width=160",), 160)):
+            out, _ = self.run_program("trace", "scene.json", "--pixel", "4,3", *words)
+            self.assertLessEqual(widest(out), columns)
+        out, _ = self.run_program("trace", "scene.json", "--pixel", "4,3", "--width", "79", status=2)
+
+    def test_the_summary_is_short_and_ends_with_the_bytes_of_the_picture(self):
+        """Of pixels all over three scenes; with RECTRAY_SOAK of a thousand."""
+        longest = 0
+        for name, count in (("original", 40), ("cornell", 12), ("gallery", 12)):
+            scene = os.path.join(HERE, f"scenes/{name}.json")
+            words = ("--size", "160x120")
+            self.run_program("render", scene, "-b", "reference", "-o", "a.png", "-q", *words)
+            picture = png_pixels(self.bytes_of("a.png"))
+            chosen = random.Random(name)
+            for _ in range(count * (16 if SOAK else 1)):
+                column, row = chosen.randrange(160), chosen.randrange(120)
+                out = self.run_program("trace", scene, "--pixel", f"{column},{row}", "--summary", "--width=80",
+                                       *words)[0].decode()
+                lines = out.splitlines()
+                longest = max(longest, len(lines))
+                self.assertTrue(lines[0].startswith(f"Pixel ({column}, {row}) of "))
+                self.assertEqual(lines[-1], f"Pixel ({column}, {row}) = {picture[row][column]}")
+                around = [tuple(map(int, bytes_)) for bytes_ in
+                          re.findall(r"\((\d+), (\d+), (\d+)\)", "\n".join(lines[1:lines.index("")]))]
+                self.assertEqual(around, [picture[y][x] for y in range(row - 1, row + 2)
+                                          for x in range(column - 1, column + 2) if 0 <= x < 160 and 0 <= y < 120])
+                whole = self.run_program("trace", scene, "--pixel", f"{column},{row}", "--width=80", *words)[0]
+                self.assertTrue(whole.decode().startswith(out))
+        self.assertLessEqual(longest, 20)
 
 
 class Mistakes(CommandTest):
@@ -466,6 +530,8 @@ class Mistakes(CommandTest):
     def test_an_option_that_the_format_cannot_use_is_told(self):
         _, err = self.run_program("trace", "scene.json", "--pixel", "1,1", "--with-scene")
         self.assertIn("--with-scene does nothing with --format text", err)
+        _, err = self.run_program("trace", "scene.json", "--pixel", "1,1", "--format", "obj", "--summary")
+        self.assertIn("--summary does nothing with --format obj", err)
         _, err = self.run_program("trace", "scene.json", "--pixel", "1,1", "--format", "svg", "--verbose")
         self.assertIn("--verbose does nothing with --format svg", err)
 

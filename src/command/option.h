@@ -12,6 +12,9 @@ enum { MAX_OPERANDS = 16 };
 /* Whether each pixel gets the whole grid, or only where it needs it. */
 typedef enum SamplingChoice { SAMPLING_OF_SCENE, SAMPLING_UNIFORM, SAMPLING_ADAPTIVE } SamplingChoice;
 
+/* Colours in text: on a terminal that wants them, or not asking. */
+typedef enum ColourChoice { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER } ColourChoice;
+
 /* What the user asked for. The strings are those of argv. */
 typedef struct Options {
     const char *operands[MAX_OPERANDS]; /* scenes, the pictures to compare, a kind of scene */
@@ -34,10 +37,12 @@ typedef struct Options {
     int scene_size, seed;                            /* of a generated scene; size 0: not given */
     int pixel_column, pixel_row, sample_i, sample_j; /* of the walkthrough */
     WalkthroughFormat format;
+    ColourChoice colour;
+    int width; /* of lines of text; 0: not given */
     StatsFormat stats;
     ProgressMode progress;
     bool precision_given, pixel_given, shift_given;
-    bool quiet, geometry, verbose, with_scene, ladder, json, open, help, version;
+    bool quiet, geometry, verbose, with_scene, summary, no_pager, ladder, json, open, help, version;
 } Options;
 
 /* How an option's value is read. */

@@ -15,6 +15,9 @@
 static const char *const progress_modes[] = {
     [PROGRESS_AUTO] = "auto", [PROGRESS_ALWAYS] = "always", [PROGRESS_NEVER] = "never", NULL};
 
+static const char *const colour_choices[] = {
+    [COLOUR_AUTO] = "auto", [COLOUR_ALWAYS] = "always", [COLOUR_NEVER] = "never", NULL};
+
 static const char *const map_kinds[] = {[MAP_RAYS] = "rays",
                                         [MAP_TIME] = "time",
                                         [MAP_DEPTH] = "depth",
@@ -180,6 +183,11 @@ const Option option_table[] = {
      OWN(set_sample), .expects = "two whole numbers from 0 to 15, such as 0,1"},
     {"format", 'f', "NAME", "trace", "text (default); json: every number; obj: for a 3D viewer; svg: a drawing",
      WORD(format, walkthrough_format_words)},
+    {"summary", 0, NULL, "trace", "only the answer, in at most 20 lines (text, json)", FLAG(summary)},
+    {"width", 0, "N", "trace", "columns of the text, 80 to 160 (default: the terminal's, else 100)",
+     NUMBER(width, INK_LEAST_COLUMNS, INK_MOST_COLUMNS)},
+    {"color", 0, "WHEN", "trace", "auto (default: on a terminal), always or never", WORD(colour, colour_choices)},
+    {"no-pager", 0, NULL, "trace", "show a long text on a terminal without $PAGER", FLAG(no_pager)},
     {"verbose", 'v', NULL, "trace", "tell every face that was tested (text, json)", FLAG(verbose)},
     {"with-scene", 0, NULL, "trace", "write the scene's faces, too (obj)", FLAG(with_scene)},
     {"rays", 'r', "FILE", "cast", "read the rays there instead of from standard input",

@@ -1,122 +1,93 @@
-/* Setting numbers, vectors and lines of text the way a textbook does. */
+/* Lines, paragraphs and tables of vectors, set the way a textbook does. */
 #include "walkthrough/ink.h"
 
-#include "base/text.h"
-
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-bool ink_wants_colour(FILE *out)
-{
-    const char *no_color = getenv("NO_COLOR"), *term = getenv("TERM");
-    return !(no_color && no_color[0]) && !(term && strcmp(term, "dumb") == 0) && isatty(fileno(out));
-}
+/* A line that is being printed. */
+typedef struct Line {
+    const Ink *ink;
+    int hang; /* where it goes on when it is broken */
+    int used; /* columns, 0 at the beginning */
+    int held; /* blanks among them that are not printed yet: none may end a line */
+} Line;
 
-const char *ink_colour(const Ink *ink, char which)
+/* Prints a part that is not broken, after a blank or, without its own blanks, on a line of its own. */
+static void print_part(Line *line, const char *part, size_t length, bool blank)
 {
-    if (!ink->colour)
-        return "";
-    switch (which) {
-    case '+':
-        return "\033[32m";
-    case '-':
-        return "\033[31m";
-    case 'b':
-        return "\033[1m";
-    default:
-        return "\033[0m";
+    if (line->used > 0 && line->used + blank + ink_columns(part, length) > line->ink->columns) {
+        fputc('\n', line->ink->out);
+        line->used = line->held = line->hang;
+        blank = false;
+        for (; length > 1 && part[0] == ' '; length--)
+            part++;
     }
+    line->used += blank + ink_columns(part, length);
+    line->held += blank;
+    size_t end = length;
+    while (end > 0 && part[end - 1] == ' ')
+        end--;
+    if (end > 0)
+        fprintf(line->ink->out, "%*s%.*s", line->held, "", (int)end, part);
+    line->held = (int)(length - end) + (end > 0 ? 0 : line->held);
 }
 
-InkText ink_text(const char *format, ...)
+/* Prints what stands between two tabs; where it is too long for a line of its own, word by word. */
+static void print_piece(Line *line, const char *piece, size_t length)
 {
-    InkText text;
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text.text, sizeof text.text, format, arguments);
-    va_end(arguments);
-    return text;
-}
-
-InkText ink_number(double x, int digits)
-{
-    return ink_text("%.*g", digits, x == 0 ? 0.0 : x);
-}
-
-InkText ink_vector(Vec3 v, int digits)
-{
-    return ink_text("(%s, %s, %s)", ink_number(v.x, digits).text, ink_number(v.y, digits).text,
-                    ink_number(v.z, digits).text);
-}
-
-/* The bytes of the first `columns` characters of UTF-8. */
-static size_t prefix_of(const char *text, int columns)
-{
-    size_t length = 0;
-    while (text[length] && (columns > 0 || ((unsigned char)text[length] & 0xC0) == 0x80))
-        columns -= ((unsigned char)text[length++] & 0xC0) != 0x80;
-    while (((unsigned char)text[length] & 0xC0) == 0x80)
-        length++;
-    return length;
-}
-
-InkText ink_name(const char *name, int columns)
-{
-    size_t length = prefix_of(name, columns);
-    InkText text = name[length] ? ink_text("%.*s...", (int)prefix_of(name, columns - 3), name) : ink_text("%s", name);
-    text_make_utf8(text.text);
-    for (char *c = text.text; *c; c++)
-        if ((unsigned char)*c < 0x20 || *c == 0x7F)
-            *c = '?';
-    return text;
-}
-
-/* --- Lines --- */
-
-/* Characters on the paper: bytes that neither continue one of UTF-8 nor belong to an escape sequence. */
-static int columns_of(const char *text, size_t length)
-{
-    int columns = 0;
-    for (size_t i = 0; i < length; i++) {
-        if (text[i] == '\033')
-            while (i < length && text[i] != 'm')
-                i++;
-        else
-            columns += ((unsigned char)text[i] & 0xC0) != 0x80;
+    bool blank = line->used > 0;
+    if ((blank ? line->hang : 0) + ink_columns(piece, length) <= line->ink->columns) {
+        print_part(line, piece, length, blank);
+        return;
     }
-    return columns;
+    for (const char *at = piece, *end = piece + length; at < end;) {
+        size_t indent = strspn(at, " "), word = indent + strcspn(at + indent, " \t");
+        word = word < (size_t)(end - at) ? word : (size_t)(end - at);
+        print_part(line, at, word, blank);
+        blank = false;
+        at += word;
+    }
 }
 
 void ink_line(const Ink *ink, const char *format, ...)
 {
-    char line[1024];
+    char text[1024];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(line, sizeof line, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
 
-    const char *equals = strstr(line, " = "), *tab = strchr(line, '\t');
+    while (text[0] == '\n') {
+        fputc('\n', ink->out);
+        memmove(text, text + 1, strlen(text));
+    }
+    const char *equals = strstr(text, " = "), *tab = strchr(text, '\t');
     if (tab && equals > tab)
         equals = NULL;
-    int indent = (int)strspn(line, " ");
-    int hang = equals ? columns_of(line, (size_t)(equals - line)) : indent + 2;
-    if (hang > INK_COLUMNS / 2)
-        hang = indent + 4;
-    int used = 0;
-    for (const char *at = line; *at;) {
+    int indent = (int)strspn(text, " ");
+    Line line = {.ink = ink, .hang = equals ? ink_columns(text, (size_t)(equals - text)) + 1 : indent + 3};
+    if (line.hang > ink->columns / 2)
+        line.hang = indent + 5;
+    for (const char *at = text; *at;) {
         size_t length = strcspn(at, "\t");
-        int columns = columns_of(at, length);
-        if (used > 0 && used + 1 + columns > INK_COLUMNS) {
-            fputc('\n', ink->out);
-            used = 0;
-        }
-        /* A continuation that begins with a blank brings its own. */
-        used += used > 0 ? fprintf(ink->out, " ") : at > line ? fprintf(ink->out, "%*s", hang + 1, "") : 0;
-        fprintf(ink->out, "%.*s", (int)length, at);
-        used += columns;
+        print_piece(&line, at, length);
         at += length + (at[length] == '\t');
+    }
+    fputc('\n', ink->out);
+}
+
+/* Prints words, the first line indented as they begin, the others by `hang`; -1: the same. What stands before that
+ * column stays as it is. */
+static void print_words(const Ink *ink, const char *text, int hang)
+{
+    int indent = (int)strspn(text, " ");
+    Line line = {.ink = ink, .hang = hang < 0 ? indent : hang};
+    const char *word = text + (hang < 0 ? indent : hang);
+    line.used = fprintf(ink->out, "%.*s", (int)(word - text), text);
+    for (bool blank = false; *word; blank = true) {
+        size_t length = strcspn(word, " ");
+        print_part(&line, word, length, blank);
+        word += length + strspn(word + length, " ");
     }
     fputc('\n', ink->out);
 }
@@ -128,20 +99,17 @@ void ink_paragraph(const Ink *ink, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    print_words(ink, text, -1);
+}
 
-    int indent = (int)strspn(text, " "), used = 0;
-    for (const char *word = text + indent; *word;) {
-        size_t length = strcspn(word, " ");
-        int columns = columns_of(word, length);
-        if (used > 0 && used + 1 + columns > INK_COLUMNS) {
-            fputc('\n', ink->out);
-            used = 0;
-        }
-        used += columns + (used > 0 ? fprintf(ink->out, " ") : fprintf(ink->out, "%*s", indent, ""));
-        fprintf(ink->out, "%.*s", (int)length, word);
-        word += length + strspn(word + length, " ");
-    }
-    fputc('\n', ink->out);
+void ink_hanging(const Ink *ink, int columns, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    print_words(ink, text, columns);
 }
 
 void ink_heading(const Ink *ink, const char *format, ...)
@@ -168,7 +136,7 @@ static RowTexts texts_of(const InkRow *row)
 
 static int wider(int width, const char *text)
 {
-    int columns = columns_of(text, strlen(text));
+    int columns = ink_width(text);
     return columns > width ? columns : width;
 }
 
@@ -188,16 +156,10 @@ void ink_rows(const Ink *ink, const InkRow *rows, int count)
     }
     for (int i = 0; i < count; i++) {
         RowTexts texts = texts_of(&rows[i]);
-        int pad = label - columns_of(rows[i].label.text, strlen(rows[i].label.text));
+        int pad = label - ink_width(rows[i].label.text);
         const char *note = rows[i].note.text;
         ink_line(ink, "    %s%*s  (%*s, %*s, %*s)%s%s", rows[i].label.text, pad, "", component[0],
                  texts.component[0].text, component[1], texts.component[1].text, component[2], texts.component[2].text,
                  note[0] ? "\t " : "", note);
     }
-}
-
-InkText ink_sign(const Ink *ink, int sign)
-{
-    const char *signs[] = {"-", "0", "+"};
-    return ink_text("%s%s%s", ink_colour(ink, signs[sign + 1][0]), signs[sign + 1], ink_colour(ink, '.'));
 }

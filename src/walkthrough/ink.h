@@ -1,5 +1,5 @@
 /* Setting numbers, vectors and lines of text the way a textbook does: six significant digits, columns that align,
- * lines of at most 100 columns, and colour where a terminal shows it. */
+ * lines that end before the last column, and colour where a terminal shows it. */
 #ifndef RECTRAY_INK_H
 #define RECTRAY_INK_H
 
@@ -8,11 +8,15 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { INK_COLUMNS = 100, INK_DIGITS = 6 };
+enum { INK_COLUMNS = 100, INK_LEAST_COLUMNS = 80, INK_MOST_COLUMNS = 160, INK_DIGITS = 6 };
+
+/* Colours as ANSI escape sequences: none; of the 256 that every terminal knows; all. */
+typedef enum InkColour { INK_PLAIN, INK_256, INK_TRUE } InkColour;
 
 typedef struct Ink {
     FILE *out;
-    bool colour; /* ANSI escape sequences */
+    InkColour colour;
+    int columns; /* of a line, INK_LEAST_COLUMNS to INK_MOST_COLUMNS */
 } Ink;
 
 /* A piece of text, passed by value. */
@@ -22,6 +26,9 @@ typedef struct InkText {
 
 /* Whether the stream is a terminal on which colour is welcome: NO_COLOR is unset or empty, TERM is not "dumb". */
 bool ink_wants_colour(FILE *out);
+
+/* The colours of the terminal: all where COLORTERM says "truecolor" or "24bit". */
+InkColour ink_terminal_colour(void);
 
 /* printf into an InkText; what does not fit is cut off. */
 InkText ink_text(const char *format, ...)
@@ -40,7 +47,8 @@ InkText ink_vector(Vec3 v, int digits);
 InkText ink_name(const char *name, int columns);
 
 /* Prints a line, printf-like. Where it would pass the last column it is broken at a tab, and goes on under the first
- * " = " before all tabs, or a little indented where there is none; other tabs are blanks. */
+ * " = " before all tabs, or a little indented where there is none; other tabs are blanks. What is too long between two
+ * tabs is broken at a blank. */
 void ink_line(const Ink *ink, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 2, 3)))
@@ -51,6 +59,13 @@ void ink_line(const Ink *ink, const char *format, ...)
 void ink_paragraph(const Ink *ink, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+/* Prints a paragraph whose lines after the first are indented by so many columns. */
+void ink_hanging(const Ink *ink, int columns, const char *format, ...)
+#ifdef __GNUC__
+    __attribute__((format(printf, 3, 4)))
 #endif
     ;
 
@@ -78,5 +93,12 @@ const char *ink_colour(const Ink *ink, char which);
 
 /* "+", "-" or "0", in its colour. */
 InkText ink_sign(const Ink *ink, int sign);
+
+/* So many blanks on the colour of three bytes; "" where there are no colours. */
+InkText ink_swatch(const Ink *ink, const unsigned char *rgb, int columns);
+
+/* Characters on the paper: neither bytes that continue one of UTF-8 nor escape sequences. */
+int ink_width(const char *text);
+int ink_columns(const char *text, size_t length); /* of the first bytes */
 
 #endif

@@ -182,6 +182,7 @@ void walkthrough_follow(WalkthroughPlace *place, const Walkthrough *walk, const 
         place->told = is_told(&walk->request, event);
     } else if (event->kind == EVENT_HIT) {
         place->hit = event;
+        place->length = vec3_length(place->ray.direction);
     } else if (event->kind == EVENT_LIGHT) {
         place->light = event;
     } else if (event->kind == EVENT_REFLECTED) {
@@ -199,6 +200,20 @@ WalkthroughEdge walkthrough_edge(const Face *face, int k, Vec3 point)
 {
     Vec3 from = face_vertex(face, k), to = face_vertex(face, (k + 1) % face->vertex_count);
     return (WalkthroughEdge){vec3_sub(to, from), vec3_sub(point, from)};
+}
+
+WalkthroughSides walkthrough_sides(const Face *face)
+{
+    Vec3 v0 = face_vertex(face, 0), v1 = face_vertex(face, 1), v2 = face_vertex(face, 2);
+    if (face->vertex_count == 3)
+        return (WalkthroughSides){vec3_sub(v1, v0), vec3_sub(v2, v0)};
+    return (WalkthroughSides){vec3_sub(v2, v0), vec3_sub(face_vertex(face, 3), v1)};
+}
+
+Vec3 walkthrough_to_viewer(const Scene *scene, const WalkthroughPlace *place)
+{
+    return scene->shading.viewer == VIEWER_RAY ? vec3_negate(place->ray.direction)
+                                               : vec3_sub(scene->camera.position, place->hit->as.hit.point);
 }
 
 Vec3 walkthrough_world(const Scene *scene, Vec3 position)

@@ -20,6 +20,14 @@ typedef struct WalkthroughRequest {
     bool verbose;    /* every face tested and every node met is told, at some 220 bytes each */
 } WalkthroughRequest;
 
+/* The bytes of a pixel and its neighbours, row by row; the pixel itself is in the middle. */
+enum { AROUND_SELF = 4 };
+
+typedef struct WalkthroughAround {
+    bool there[9]; /* false: outside the picture, or not looked at */
+    unsigned char rgb[9][3];
+} WalkthroughAround;
+
 /* In the list each ray's search begins with an EVENT_TALLY; events follow for those nodes and faces that are told. */
 typedef struct Walkthrough {
     const Scene *scene;     /* borrowed */
@@ -28,6 +36,7 @@ typedef struct Walkthrough {
     int grid; /* the pixel has grid x grid samples; refined by adaptive sampling, grid of them */
     Event *events;
     long count, capacity;
+    WalkthroughAround around; /* nothing is there before walkthrough_look_around */
     /* While recording: */
     bool telling; /* inside the sample that is told */
     bool found;   /* it was traced */
@@ -43,6 +52,9 @@ typedef struct Walkthrough {
 bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *accel, const char *scene_name,
                         WalkthroughRequest request, Error *error);
 
+/* Traces the pixels around the one that was recorded. A failure is want of memory. */
+bool walkthrough_look_around(Walkthrough *walk, Error *error);
+
 void walkthrough_free(Walkthrough *walk);
 
 /* Where in the path an event stands. Zeroed before the first event. */
@@ -50,6 +62,7 @@ typedef struct WalkthroughPlace {
     const Event *sample, *hit, *light; /* the latest; hit and light are NULL before the first of the sample */
     bool told;                         /* whether the sample is the one that is told in full */
     Ray ray;                           /* the one being followed */
+    double length;                     /* |R| of the ray that arrived at the latest hit */
     double weight;                     /* of the next hit */
 } WalkthroughPlace;
 
@@ -65,6 +78,16 @@ typedef struct WalkthroughEdge {
 } WalkthroughEdge;
 
 WalkthroughEdge walkthrough_edge(const Face *face, int k, Vec3 point);
+
+/* The two sides whose cross product is the normal's direction: v2 - v0 and v3 - v1; of a triangle v1 - v0, v2 - v0. */
+typedef struct WalkthroughSides {
+    Vec3 a, b;
+} WalkthroughSides;
+
+WalkthroughSides walkthrough_sides(const Face *face);
+
+/* What V is the unit vector of, at the latest hit: C - P, or -R. */
+Vec3 walkthrough_to_viewer(const Scene *scene, const WalkthroughPlace *place);
 
 /* A position as the scene file gives it, from one as it is traced. */
 Vec3 walkthrough_world(const Scene *scene, Vec3 position);

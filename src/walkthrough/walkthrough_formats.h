@@ -3,6 +3,7 @@
 #ifndef RECTRAY_WALKTHROUGH_FORMATS_H
 #define RECTRAY_WALKTHROUGH_FORMATS_H
 
+#include "walkthrough/ink.h"
 #include "walkthrough/walkthrough.h"
 #include "walkthrough/walkthrough_step.h"
 
@@ -16,8 +17,13 @@ typedef enum WalkthroughFormat {
 /* What users call them; ends in a NULL. */
 extern const char *const walkthrough_format_words[];
 
+/* Which parts of the text and of the JSON are written: the summary and the steps, or one of them. */
+typedef enum WalkthroughParts { WALKTHROUGH_WHOLE, WALKTHROUGH_SUMMARY, WALKTHROUGH_STEPS } WalkthroughParts;
+
 typedef struct WalkthroughStyle {
-    bool colour;                             /* text: ANSI colours */
+    WalkthroughParts parts;
+    InkColour colour;                        /* text */
+    int columns;                             /* text: of a line; 0: INK_COLUMNS */
     bool with_scene;                         /* OBJ: the scene's faces, too */
     const WalkthroughStepListener *listener; /* text: is told of each step; NULL: nobody is */
 } WalkthroughStyle;

@@ -3,6 +3,7 @@
  * docs/walkthrough.schema.json describes every member. */
 #include "walkthrough/walkthrough_formats.h"
 #include "walkthrough/walkthrough_json_event.h"
+#include "walkthrough/walkthrough_summary_json.h"
 
 /* Prints the object on one line and deletes it. */
 static void print_object(FILE *out, cJSON *object, bool *failed)
@@ -53,14 +54,32 @@ static cJSON *scene_json(const Walkthrough *walk, bool *failed)
     return node.object;
 }
 
+static bool print_summary(FILE *out, const Walkthrough *walk, bool *failed, Error *error)
+{
+    Summary summary;
+    if (!summary_make(&summary, walk, error))
+        return false;
+    JsonNode node = json_node_new(failed);
+    walkthrough_summary_json(node, &summary);
+    fprintf(out, ",\n\"summary\":");
+    print_object(out, node.object, failed);
+    summary_free(&summary);
+    return true;
+}
+
 bool walkthrough_write_json(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
-    (void)style;
     bool failed = false;
     fprintf(out, "{\"walkthrough\":1,\n\"pixel\":");
     print_object(out, request_json(walk, &failed), &failed);
     fprintf(out, ",\n\"scene\":");
     print_object(out, scene_json(walk, &failed), &failed);
+    if (style.parts != WALKTHROUGH_STEPS && !print_summary(out, walk, &failed, error))
+        return false;
+    if (style.parts == WALKTHROUGH_SUMMARY) {
+        fprintf(out, "}\n");
+        return !failed || error_memory(error, "the walkthrough");
+    }
     fprintf(out, ",\n\"events\":[");
     WalkthroughPlace place = {0};
     for (long i = 0; i < walk->count && !failed; i++) {

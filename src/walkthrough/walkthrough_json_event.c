@@ -72,6 +72,12 @@ static void put_hit(JsonNode node, const Scene *scene, const WalkthroughPlace *p
     put_face(node, scene, index);
     json_node_text(node, "material", scene->materials[face->material].name);
     put_test(node, &event->as.hit.test);
+    WalkthroughSides sides = walkthrough_sides(face);
+    Vec3 product = vec3_cross(sides.a, sides.b);
+    json_node_vector(node, "a", sides.a);
+    json_node_vector(node, "b", sides.b);
+    json_node_vector(node, "a_x_b", product);
+    json_node_number(node, "a_x_b_length", vec3_length(product));
     json_node_vector(node, "plane_normal", plane->normal);
     json_node_vector(node, "o_minus_v0", vec3_sub(place->ray.origin, face_vertex(face, 0)));
     json_node_vector(node, "t_r", vec3_scale(event->as.hit.test.t, place->ray.direction));
@@ -87,6 +93,7 @@ static void put_hit(JsonNode node, const Scene *scene, const WalkthroughPlace *p
         JsonNode at = json_node_append_object(edges);
         json_node_vector(at, "e", edge.e);
         json_node_vector(at, "c", edge.c);
+        json_node_vector(at, "e_x_c", vec3_cross(edge.e, edge.c));
     }
 }
 
@@ -107,6 +114,7 @@ static void put_sample(JsonNode node, const Scene *scene, const WalkthroughPlace
     json_node_vector(node, "y_u", vec3_scale(at.y, view.up));
     json_node_vector(node, "q", walkthrough_world(scene, event->as.sample.q));
     json_node_vector(node, "r", event->as.sample.r);
+    json_node_number(node, "r_length", vec3_length(event->as.sample.r));
 }
 
 static void put_reflected(JsonNode node, const Scene *scene, const WalkthroughPlace *place, const Event *event)
@@ -114,6 +122,7 @@ static void put_reflected(JsonNode node, const Scene *scene, const WalkthroughPl
     Vec3 r = event->as.reflected.r_unit, n = place->hit->as.hit.normal;
     double r_dot_n = vec3_dot(r, n);
     json_node_number(node, "bounce", event->as.reflected.bounce);
+    json_node_number(node, "r_length", place->length);
     json_node_vector(node, "r_unit", r);
     json_node_number(node, "r_dot_n", r_dot_n);
     json_node_vector(node, "minus_2_r_dot_n_n", vec3_scale(-2 * r_dot_n, n));

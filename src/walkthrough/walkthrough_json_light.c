@@ -34,7 +34,12 @@ void walkthrough_json_terms(JsonNode node, const Scene *scene, const Walkthrough
     json_node_vector(node, "id", light->diffuse);
     json_node_vector(node, "is", light->specular);
     json_node_vector(node, "l", event->as.terms.l);
+    Vec3 to_viewer = walkthrough_to_viewer(scene, place), l_plus_v = vec3_add(event->as.terms.l, event->as.terms.v);
+    json_node_vector(node, "to_viewer", to_viewer);
+    json_node_number(node, "to_viewer_length", vec3_length(to_viewer));
     json_node_vector(node, "v", event->as.terms.v);
+    json_node_vector(node, "l_plus_v", l_plus_v);
+    json_node_number(node, "l_plus_v_length", vec3_length(l_plus_v));
     json_node_vector(node, "h", terms->h);
     json_node_number(node, "l_dot_n", terms->l_dot_n);
     json_node_number(node, "n_dot_h", terms->n_dot_h);

@@ -84,6 +84,7 @@ static void put_steps(JsonNode node, const Walkthrough *walk, WalkthroughStyle s
     Steps steps = {0};
     WalkthroughStepListener listener = {begin_step, &steps};
     style.listener = &listener;
+    style.parts = WALKTHROUGH_STEPS;
     steps.out = open_memstream(&steps.text, &steps.length);
     bool written = steps.out && walkthrough_write_text(steps.out, walk, style, error);
     written = steps.out && fclose(steps.out) == 0 && written;

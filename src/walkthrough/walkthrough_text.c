@@ -3,6 +3,8 @@
  * so each case prints one step, or a part of one. */
 #include "walkthrough/walkthrough_formats.h"
 
+#include "walkthrough/walkthrough_summary.h"
+#include "walkthrough/walkthrough_text_head.h"
 #include "walkthrough/walkthrough_text_hit.h"
 #include "walkthrough/walkthrough_text_light.h"
 #include "walkthrough/walkthrough_text_search.h"
@@ -15,72 +17,6 @@ static int place_digits(const Scene *scene)
     double far = vec3_largest(c), size = walkthrough_scene_size(scene);
     int more = size > 0 && far > size ? (int)ceil(log10(far / size)) : 0;
     return more > 9 ? 15 : INK_DIGITS + more;
-}
-
-/* --- The beginning --- */
-
-/* Why adaptive sampling gives the pixel one sample, or many. */
-static void print_verdict(const WalkthroughText *text, const AdaptiveVerdict *verdict)
-{
-    const Scene *scene = text->walk->scene;
-    InkText face = verdict->reason == ADAPTIVE_SAME || verdict->reason == ADAPTIVE_HIGHLIGHT
-                       ? ink_text("%s", "")
-                       : walkthrough_face_words(scene, verdict->face, 40);
-    InkText why;
-    int hit = verdict->hit + 1, light = verdict->light;
-    switch (verdict->reason) {
-    case ADAPTIVE_SAME:
-        ink_paragraph(&text->ink,
-                      "Sampling is adaptive: all rays of this pixel meet the same faces and the same lights as "
-                      "the one through its centre, which alone makes the pixel.");
-        return;
-    case ADAPTIVE_EDGE:
-        why = ink_text("an edge of the face %s, which the centre meets at P%d, may cross it", face.text, hit);
-        break;
-    case ADAPTIVE_FACE:
-        why = ink_text("another face, %s, may show in it, which the centre passes before P%d", face.text, hit);
-        break;
-    case ADAPTIVE_SHADOW:
-        why = ink_text("at P%d the shadow of %s in light %d may end in it", hit, face.text, light);
-        break;
-    default:
-        why = ink_text("at P%d the brightness by light %d changes unevenly over it", hit, light);
-    }
-    ink_paragraph(&text->ink, "Sampling is adaptive, and this pixel needs more than the ray through its centre: %s.",
-                  why.text);
-}
-
-static void print_head(const WalkthroughText *text)
-{
-    const Walkthrough *walk = text->walk;
-    const Scene *scene = walk->scene;
-    const WalkthroughRequest *request = &walk->request;
-    const Ink *ink = &text->ink;
-    fprintf(ink->out, "%sPixel (%d, %d) of %s%s\n\n", ink_colour(ink, 'b'), request->column, request->row,
-            ink_name(walk->scene_name, 60).text, ink_colour(ink, '0'));
-    ink_paragraph(
-        ink,
-        "The picture has %d x %d pixels. This one is in column %d from the left and row %d from the top, both "
-        "counted from 0. The scene holds %d face%s and %d light%s.",
-        scene->screen.columns, scene->screen.rows, request->column, request->row, scene->face_count,
-        scene->face_count == 1 ? "" : "s", scene->light_count, scene->light_count == 1 ? "" : "s");
-    if (walk->count > 0 && walk->events[0].kind == EVENT_ADAPTIVE)
-        print_verdict(text, &walk->events[0].as.adaptive);
-    int n = walk->grid;
-    InkText samples = scene->adaptive
-                          ? ink_text("%d samples, one in each column and each row of a grid of %d x %d", n, n, n)
-                          : ink_text("%d x %d samples", n, n);
-    if (n > 1)
-        ink_paragraph(ink,
-                      "The pixel is the average of %s. Told in full is sample (%d, %d), in column %d and "
-                      "row %d of the grid inside the pixel; --sample I,J tells another.",
-                      samples.text, request->i, request->j, request->i, request->j);
-    Vec3 c = scene->centre;
-    if (c.x != 0 || c.y != 0 || c.z != 0)
-        ink_paragraph(ink,
-                      "Positions are those of the scene file. The scene is traced as seen from its own centre %s, so "
-                      "that no digits are lost far from the origin, with vertices rounded to float32.",
-                      ink_vector(c, text->digits).text);
 }
 
 static void print_sample(WalkthroughText *text, const Event *event)
@@ -113,7 +49,8 @@ static void print_sample(WalkthroughText *text, const Event *event)
     rows[0].note = ink_text("the camera");
     rows[1].note = ink_text("forward");
     ink_rows(&text->ink, rows, sizeof rows / sizeof *rows);
-    ink_line(&text->ink, "\n    The ray: P(t) = O + t R with O = C; t = 1 is the screen.");
+    ink_line(&text->ink, "\n    The ray: P(t) = O + t R with O = C;\tt = 1 is the screen, and |R| = %s.",
+             ink_number(vec3_length(event->as.sample.r), 6).text);
 }
 
 /* --- The mirror --- */
@@ -137,7 +74,8 @@ static void print_reflected(WalkthroughText *text, const Event *event)
     Vec3 r = event->as.reflected.r_unit, normal = text->place.hit->as.hit.normal;
     double r_dot_n = vec3_dot(r, normal);
     walkthrough_text_step(text, STEP_MIRROR, ink_text("The mirror at P%d", number).text);
-    ink_line(&text->ink, "    r = R / |R|, and N, turned to the side that the ray came from:");
+    ink_line(&text->ink, "    r = R / |R| with |R| = %s,\tand N, turned to the side that the ray came from:",
+             ink_number(text->place.length, 6).text);
     ink_line(&text->ink, "    r.N = %s.%s\t= %s", ink_vector(r, 6).text, ink_vector(normal, 6).text,
              ink_number(r_dot_n, 6).text);
     fputc('\n', text->ink.out);
@@ -154,7 +92,7 @@ static void print_reflected(WalkthroughText *text, const Event *event)
 
 static void print_miss(WalkthroughText *text, const Event *event)
 {
-    ink_line(&text->ink, "    No face is hit: the ray leaves the scene, and the background shines in.");
+    ink_paragraph(&text->ink, "    No face is hit: the ray leaves the scene, and the background shines in.");
     ink_line(&text->ink, "    weight x background = %s x %s\t= %s", ink_number(event->as.miss.weight, 6).text,
              ink_vector(event->as.miss.background, 6).text, ink_vector(event->as.miss.weight_times_background, 6).text);
 }
@@ -168,7 +106,7 @@ static void print_next_face(WalkthroughText *text, int number)
         return;
     ink_paragraph(&text->ink,
                   "    The plane of a face is N.P + D = 0, and the ray meets it at t = -(N.O + D) / (N.R). There the "
-                  "signs of dot(N, cross(e, c)) tell on which side of each edge it passes. Of all hits the smallest t "
+                  "signs of N.(e x c) tell on which side of each edge it passes. Of all hits the smallest t "
                   "counts.");
     fputc('\n', text->ink.out);
 }
@@ -227,12 +165,34 @@ static void print_event(WalkthroughText *text, const Event *event)
     }
 }
 
+static void print_title(const Ink *ink, const Walkthrough *walk)
+{
+    fprintf(ink->out, "%sPixel (%d, %d) of %s%s\n", ink_colour(ink, 'b'), walk->request.column, walk->request.row,
+            ink_name(walk->scene_name, 60).text, ink_colour(ink, '0'));
+}
+
+static bool print_summary(const Ink *ink, const Walkthrough *walk, Error *error)
+{
+    Summary summary;
+    if (!summary_make(&summary, walk, error))
+        return false;
+    summary_write_text(ink, &summary);
+    summary_free(&summary);
+    return true;
+}
+
 bool walkthrough_write_text(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
-    (void)error;
-    WalkthroughText text = {
-        .ink = {out, style.colour}, .walk = walk, .listener = style.listener, .digits = place_digits(walk->scene)};
-    print_head(&text);
+    WalkthroughText text = {.ink = {out, style.colour, style.columns > 0 ? style.columns : INK_COLUMNS},
+                            .walk = walk,
+                            .listener = style.listener,
+                            .digits = place_digits(walk->scene)};
+    print_title(&text.ink, walk);
+    if (style.parts != WALKTHROUGH_STEPS && !print_summary(&text.ink, walk, error))
+        return false;
+    if (style.parts == WALKTHROUGH_SUMMARY)
+        return true;
+    walkthrough_text_head(&text);
     for (long i = 0; i < walk->count; i++) {
         walkthrough_follow(&text.place, walk, &walk->events[i]);
         if (text.place.told || walk->events[i].kind == EVENT_PIXEL)

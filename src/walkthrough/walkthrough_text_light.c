@@ -29,8 +29,9 @@ void walkthrough_text_light(WalkthroughText *text, const Event *event)
     ink_line(ink, "    N.L            = %s.%s\t= %s%s", ink_vector(hit->as.hit.normal, 6).text,
              ink_vector(event->as.light.l, 6).text, ink_number(n_dot_l, 6).text, relation);
     if (side > 0)
-        ink_line(ink, "    The light is in front of the face. The ray from P%d' (t = 0) to the light (t = 1):\n",
-                 number);
+        ink_paragraph(ink,
+                      "    The light is in front of the face. The ray from P%d' (t = 0) to the light (t = 1):", number),
+            fputc('\n', ink->out);
     text->rows_told = false;
 }
 
@@ -39,8 +40,11 @@ void walkthrough_text_light_end(WalkthroughText *text, const Event *event)
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
     LightVerdict verdict = event->as.light_end.verdict;
-    const char *format = verdict == LIGHT_REACHES ? "    %s\n" : verdict == LIGHT_BLOCKED ? "\n    %s" : "    %s";
-    ink_line(ink, format, walkthrough_light_words(text->walk, &text->place, event).text);
+    if (verdict == LIGHT_BLOCKED)
+        fputc('\n', ink->out);
+    ink_paragraph(ink, "    %s", walkthrough_light_words(text->walk, &text->place, event).text);
+    if (verdict == LIGHT_REACHES)
+        fputc('\n', ink->out);
     if (verdict != LIGHT_REACHES && scene->shading.shadow == SHADOW_BLACK)
         ink_line(ink, "    Light %d adds nothing: \"shadow\" is \"black\".", event->as.light_end.light);
 }
@@ -93,13 +97,25 @@ static TermTexts texts_of(const Term *term, int places)
                        decimals(term->value, places)};
 }
 
+/* A term on two lines, where one has no room for its factors and its value. */
+static void print_broken_terms(const Ink *ink, const Term *terms, int count, Vec3 sum)
+{
+    for (int n = 0; n < count; n++) {
+        TermTexts texts = texts_of(&terms[n], INK_DIGITS);
+        ink_line(ink, "    %-11s = %s x %s%s%s\t= %s", terms[n].formula, texts.k.text, texts.i.text,
+                 texts.factor.text[0] ? " " : "", texts.factor.text, texts.value.text);
+    }
+    ink_line(ink, "    %-11s = %s", "I", decimals(sum, INK_DIGITS).text);
+}
+
 /* "kd id (L.N) = (0.78, 0.78, 0.78) x (1, 1, 1) x 0.38434 = (0.29979, 0.29979, 0.29979)", in columns, with as many
  * places after the point, at most six, as a line has room for. */
 static void print_terms(const Ink *ink, const Term *terms, int count, Vec3 sum)
 {
     TermTexts texts[3];
     Columns wide = {0};
-    for (int places = 6, room = -1; room < 0 && places >= 4; places--) {
+    int room = -1;
+    for (int places = 6; room < 0 && places >= 4; places--) {
         int value = wider(0, decimals(sum, places));
         wide = (Columns){0};
         for (int n = 0; n < count; n++) {
@@ -110,7 +126,11 @@ static void print_terms(const Ink *ink, const Term *terms, int count, Vec3 sum)
             value = wider(value, texts[n].value);
         }
         wide.places = places;
-        room = INK_COLUMNS - (18 + wide.k + 3 + wide.i + 1 + wide.factor + 3 + value);
+        room = ink->columns - (18 + wide.k + 3 + wide.i + 1 + wide.factor + 3 + value);
+    }
+    if (room < 0) {
+        print_broken_terms(ink, terms, count, sum);
+        return;
     }
     for (int n = 0; n < count; n++)
         ink_line(ink, "    %-11s = %-*s x %-*s %-*s\t= %s", terms[n].formula, wide.k, texts[n].k.text, wide.i,
@@ -129,6 +149,24 @@ static void print_highlight(const Ink *ink, Vec3 n, const Illumination *terms, d
              ink_number(pow(terms->n_dot_h, shininess / 4), 6).text);
 }
 
+/* V, and H between L and V, with what they are the unit vectors of. */
+static void print_halfway(const WalkthroughText *text, const Event *event)
+{
+    int number = walkthrough_hit_number(&text->place);
+    bool to_camera = text->walk->scene->shading.viewer == VIEWER_CAMERA;
+    Vec3 to_viewer = walkthrough_to_viewer(text->walk->scene, &text->place);
+    Vec3 l_plus_v = vec3_add(event->as.terms.l, event->as.terms.v);
+    InkRow rows[] = {
+        ink_row(to_camera ? ink_text("C - P%d", number) : ink_text("-R"), to_viewer),
+        ink_row(to_camera ? ink_text("V = unit(C - P%d)", number) : ink_text("V = -R / |R|"), event->as.terms.v),
+        ink_row(ink_text("L + V"), l_plus_v),
+        ink_row(ink_text("H = unit(L + V)"), event->as.terms.illumination.h),
+    };
+    rows[0].note = ink_text("length %s", ink_number(vec3_length(to_viewer), 6).text);
+    rows[2].note = ink_text("length %s", ink_number(vec3_length(l_plus_v), 6).text);
+    ink_rows(&text->ink, rows, sizeof rows / sizeof *rows);
+}
+
 void walkthrough_text_terms(WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
@@ -137,17 +175,14 @@ void walkthrough_text_terms(WalkthroughText *text, const Event *event)
     const Material *material = &scene->materials[scene->faces[text->place.hit->as.hit.face].material];
     const Light *light = &scene->lights[event->as.terms.light];
     const Illumination *terms = &event->as.terms.illumination;
-    bool to_camera = scene->shading.viewer == VIEWER_CAMERA;
     double highlight = pow(terms->n_dot_h, event->as.terms.exponent);
     if (event->as.terms.ambient_only) {
-        ink_line(ink, "    But \"shadow\" is \"ambient\": the ambient term of light %d counts also in its shadow.",
-                 event->as.terms.light);
+        ink_paragraph(ink,
+                      "    But \"shadow\" is \"ambient\": the ambient term of light %d counts although it does not "
+                      "reach P%d.",
+                      event->as.terms.light, number);
     } else {
-        InkRow rows[] = {
-            ink_row(to_camera ? ink_text("V = unit(C - P%d)", number) : ink_text("V = -R / |R|"), event->as.terms.v),
-            ink_row(ink_text("H = unit(L + V)"), terms->h),
-        };
-        ink_rows(ink, rows, sizeof rows / sizeof *rows);
+        print_halfway(text, event);
         print_highlight(ink, text->place.hit->as.hit.normal, terms, material->shininess);
     }
     ink_line(ink, event->as.terms.ambient_only ? "    I = ka ia:\n" : "    I = ka ia + kd id (L.N) + ks is s:\n");

@@ -25,9 +25,23 @@ static const Reason shadow_reasons[REASONS] = {
     {FACE_OUTSIDE, "outside an edge"},           {FACE_INSIDE, "in the way"},
 };
 
+/* How the table of faces is set: as wide as 100 columns allow, or as 80 do. */
+typedef struct TableLayout {
+    int number, name, value;
+    const char *between; /* the signs */
+} TableLayout;
+
+static TableLayout layout_of(const Ink *ink)
+{
+    return ink->columns >= INK_COLUMNS ? (TableLayout){10, 16, 12, " "} : (TableLayout){6, 12, 11, ""};
+}
+
 static void print_table_head(WalkthroughText *text)
 {
-    ink_line(&text->ink, "\n      face  of                        N.R      N.O + D            t   edges     verdict");
+    TableLayout at = layout_of(&text->ink);
+    bool narrow = at.between[0] == '\0';
+    fprintf(text->ink.out, "\n%*s  %-*s %*s %*s %*s   %-*s  verdict\n", at.number, "face", at.name, "of", at.value,
+            "N.R", at.value, "N.O + D", at.value, "t", narrow ? 5 : 8, "edges");
     text->rows_told = true;
 }
 
@@ -100,34 +114,33 @@ void walkthrough_text_tally(WalkthroughText *text, const Event *event)
 /* --- One face a line --- */
 
 /* "+ + - +": the signs of the inside test; colours take no width. */
-static InkText signs_of(const Ink *ink, const FaceTest *test)
+static InkText signs_of(const Ink *ink, const FaceTest *test, const char *between)
 {
     InkText signs = {""};
     for (int k = 0; k < test->edges; k++)
-        signs = ink_text("%s%s ", signs.text, ink_sign(ink, test->edge_sign[k]).text);
-    return ink_text("%s%*s", signs.text, 2 * (4 - test->edges), "");
+        signs = ink_text("%s%s%s", signs.text, ink_sign(ink, test->edge_sign[k]).text, between);
+    return ink_text("%s%*s", signs.text, (between[0] ? 2 : 1) * (4 - test->edges) + (between[0] ? 0 : 1), "");
 }
 
 static void print_tested(WalkthroughText *text, int face, const FaceTest *test, const char *verdict)
 {
     const Scene *scene = text->walk->scene;
+    const Ink *ink = &text->ink;
     if (!text->rows_told)
         print_table_head(text);
-    InkText t = test->verdict == FACE_PARALLEL || test->verdict == FACE_LEFT ? ink_text("-") : ink_number(test->t, 6);
-    InkText number = ink_text("%d", scene->faces[face].number);
-    if (test->verdict == FACE_LEFT) {
-        ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %-8s  %s", number.text,
-                 walkthrough_face_words(scene, face, 16).text, "-", "-", "-", "", verdict);
-        return;
-    }
-    ink_line(&text->ink, "    %6s  %-16s %12s %12s %12s   %s  %s", number.text,
-             walkthrough_face_words(scene, face, 16).text, ink_number(test->n_dot_r, 6).text,
-             ink_number(test->n_dot_o_plus_d, 6).text, t.text, signs_of(&text->ink, test).text, verdict);
+    TableLayout at = layout_of(ink);
+    bool left = test->verdict == FACE_LEFT;
+    InkText name = walkthrough_face_words(scene, face, at.name), none = ink_text("-");
+    InkText t = test->verdict == FACE_PARALLEL || left ? none : ink_number(test->t, 6);
+    fprintf(ink->out, "%*d  %s%*s %*s %*s %*s   %s  %s\n", at.number, scene->faces[face].number, name.text,
+            at.name - ink_width(name.text), "", at.value, left ? "-" : ink_number(test->n_dot_r, 6).text, at.value,
+            left ? "-" : ink_number(test->n_dot_o_plus_d, 6).text, at.value, t.text,
+            signs_of(ink, test, at.between).text, verdict);
     if (text->walk->request.verbose && test->edges > 0) {
         InkText values = {""};
         for (int k = 0; k < test->edges; k++)
-            values = ink_text("%s  %+.6g", values.text, test->edge_value[k] == 0 ? 0.0 : test->edge_value[k]);
-        ink_line(&text->ink, "            dot(N, cross(e, c)):%s", values.text);
+            values = ink_text("%s\t %+.6g", values.text, test->edge_value[k] == 0 ? 0.0 : test->edge_value[k]);
+        ink_line(ink, "            N.(e x c):%s", values.text);
     }
 }
 

@@ -4,7 +4,7 @@
 static void print_reason(WalkthroughText *text, const Event *event)
 {
     walkthrough_text_step(text, STEP_SUM, "The sum");
-    ink_line(&text->ink, "    %s", walkthrough_end_words(text->walk, &text->place, event).text);
+    ink_paragraph(&text->ink, "    %s", walkthrough_end_words(text->walk, &text->place, event).text);
     fputc('\n', text->ink.out);
 }
 
@@ -40,9 +40,9 @@ static void print_samples(const WalkthroughText *text, int samples)
     const Walkthrough *walk = text->walk;
     int count = 0;
     bool list = samples <= SHORT_LIST || walk->request.verbose;
-    ink_line(&text->ink, "\n    That is sample (%d, %d).%s", walk->request.i, walk->request.j,
-             list ? " All samples, each found in the same way:\n"
-                  : " --verbose lists the others, found in the same way.");
+    ink_line(&text->ink, "\n    That is sample (%d, %d).\t%s", walk->request.i, walk->request.j,
+             list ? "All samples, each found in the same way:\n"
+                  : "--verbose lists the others, found in the same way.");
     InkRow rows[SCENE_MAX_GRID * SCENE_MAX_GRID];
     const Event *sample = walk->events; /* the first event is one */
     for (long k = 0; k < walk->count; k++) {
@@ -74,11 +74,9 @@ void walkthrough_text_pixel(WalkthroughText *text, const Event *event)
     const char *names[] = {"red", "green", "blue"};
     const double values[] = {c.x, c.y, c.z};
     for (int k = 0; k < 3; k++)
-        ink_line(ink, "    %-5s = floor(255 c + 0.5) = floor(255 x %s + 0.5) = floor(%s) = %d", names[k],
+        ink_line(ink, "    %-5s = floor(255 c + 0.5) = floor(255 x %s + 0.5)\t= floor(%s) = %d", names[k],
                  ink_number(values[k], 6).text, ink_number(255 * values[k] + 0.5, 6).text, rgb[k]);
     fprintf(ink->out, "\n%s%s%s", ink_colour(ink, 'b'), walkthrough_pixel_words(text->walk, event).text,
             ink_colour(ink, '0'));
-    if (ink->colour)
-        fprintf(ink->out, "  \033[48;2;%d;%d;%dm      \033[0m", rgb[0], rgb[1], rgb[2]);
-    fputc('\n', ink->out);
+    fprintf(ink->out, "%s%s\n", ink->colour ? "  " : "", ink_swatch(ink, rgb, 6).text);
 }

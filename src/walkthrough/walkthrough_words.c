@@ -25,20 +25,24 @@ InkText walkthrough_light_words(const Walkthrough *walk, const WalkthroughPlace 
     }
 }
 
-InkText walkthrough_end_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *path_end)
+InkText walkthrough_reason_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *path_end)
 {
     int number = walkthrough_hit_number(place);
     switch (path_end->as.path_end.reason) {
     case PATH_IN_SHADOW:
-        return ink_text("The path ended here: no light reaches P%d, and \"shadow\" is \"black\".", number);
+        return ink_text("no light reaches P%d, and \"shadow\" is \"black\"", number);
     case PATH_NOT_MIRROR:
-        return ink_text("The path ended here: the material at P%d has reflection 0.", number);
+        return ink_text("the material at P%d has reflection 0", number);
     case PATH_MAX_BOUNCES:
-        return ink_text("The path ended here: it was reflected max_bounces = %d times.",
-                        walk->scene->shading.max_bounces);
+        return ink_text("it was reflected max_bounces = %d times", walk->scene->shading.max_bounces);
     default:
-        return ink_text("The path ended here: the ray met no face.");
+        return ink_text("the ray met no face");
     }
+}
+
+InkText walkthrough_end_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *path_end)
+{
+    return ink_text("The path ended here: %s.", walkthrough_reason_words(walk, place, path_end).text);
 }
 
 InkText walkthrough_pixel_words(const Walkthrough *walk, const Event *pixel)

@@ -11,7 +11,8 @@ InkText walkthrough_face_words(const Scene *scene, int face, int columns);
 /* Whether a light reaches the latest hit, or what keeps it away. `place` stands at the EVENT_LIGHT_END. */
 InkText walkthrough_light_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *light_end);
 
-/* Why the path ended. `place` stands at the EVENT_PATH_END. */
+/* Why the path ended: the reason alone, and as a sentence. `place` stands at the EVENT_PATH_END. */
+InkText walkthrough_reason_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *path_end);
 InkText walkthrough_end_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *path_end);
 
 /* "Pixel (3, 2) = (97, 74, 97)", of an EVENT_PIXEL. */
