@@ -1,6 +1,7 @@
 /* Trees must not change what is seen: the same faces, the same t to the last bit, the same pictures. */
 #include "trace/accel.h"
 
+#include "reader/scene_json.h"
 #include "support/crowds.h"
 #include "support/xorshift.h"
 #include "trace/reference.h"
@@ -201,8 +202,9 @@ static void hear(void *user, const Event *event)
     Heard *heard = user;
     if (event->kind == EVENT_NODE) {
         heard->nodes++;
-        heard->entered += event->as.node.entered;
-        heard->faces_in_leaves += event->as.node.entered ? event->as.node.faces : 0;
+        bool entered = event->as.node.visit.verdict == NODE_ENTERED;
+        heard->entered += entered;
+        heard->faces_in_leaves += entered ? event->as.node.shape.faces : 0;
     }
     heard->faces += event->kind == EVENT_FACE;
 }
@@ -226,6 +228,95 @@ static void recorder_should_hear_of_each_node_and_face(void)
     scene_free(&scene);
 }
 
+/* --- With a recorder and without --- */
+
+typedef struct Counted {
+    uint64_t nodes, faces;
+} Counted;
+
+static void count(void *user, const Event *event)
+{
+    Counted *counted = user;
+    counted->nodes += event->kind == EVENT_NODE;
+    counted->faces +=
+        event->kind == EVENT_OCCLUDER || (event->kind == EVENT_FACE && event->as.face.test.verdict != FACE_LEFT);
+}
+
+static void check_recorded_pixel(const Scene *scene, const Accel *accel, int column, int row, const char *path)
+{
+    char message[128];
+    snprintf(message, sizeof message, "rectray trace %s --size %dx%d --grid 1 --pixel %d,%d --accel %s", path,
+             scene->screen.columns, scene->screen.rows, column, row, render_accels[accel->kind]);
+    RenderReport silent_report = {.lanes = 1}, report = {.lanes = 1};
+    Counted counted = {.nodes = 0};
+    Tracer silent = {.scene = scene, .accel = accel, .report = &silent_report};
+    Tracer tracer = {.scene = scene, .accel = accel, .report = &report, .recorder = &(Recorder){count, &counted}};
+    Vec3 expected = reference_pixel(&silent, column, row), colour = reference_pixel(&tracer, column, row);
+    TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&expected, &colour, sizeof colour, message);
+    TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&silent_report, &report, sizeof report, message);
+    TEST_ASSERT_EQUAL_UINT64_MESSAGE(report.box_tests, counted.nodes, message);
+    TEST_ASSERT_EQUAL_UINT64_MESSAGE(report.face_tests, counted.faces, message);
+}
+
+/* Every pixel of three scenes, with every tree and without one. */
+static void recorder_should_change_nothing_and_hear_what_is_counted(void)
+{
+    static const char *const paths[] = {"scenes/original.json", "scenes/cornell.json", "scenes/gallery.json"};
+    for (int s = 0; s < 3; s++) {
+        Scene scene;
+        TEST_ASSERT_TRUE_MESSAGE(scene_load(&scene, paths[s], &error), error.text);
+        scene.screen.columns = 32;
+        scene.screen.rows = 24;
+        scene.grid = 1;
+        for (AccelKind kind = ACCEL_NONE; kind <= ACCEL_BVH; kind++) {
+            Accel accel = tree_of(&scene, kind);
+            for (int k = 0; k < 32 * 24; k++)
+                check_recorded_pixel(&scene, &accel, k % 32, k / 32, paths[s]);
+            accel_free(&accel);
+        }
+        scene_free(&scene);
+    }
+}
+
+/* --- Nodes as they are described --- */
+
+static bool box_within(Box inner, Box outer)
+{
+    for (int axis = 0; axis < 3; axis++)
+        if (inner.low[axis] < outer.low[axis] || inner.high[axis] > outer.high[axis])
+            return false;
+    return true;
+}
+
+/* Counts the faces in the leaves below. */
+static int check_described(const Accel *accel, int index)
+{
+    AccelNode node = accel_node(accel, index);
+    if (node.leaf) {
+        TEST_ASSERT_EQUAL_INT(-1, node.axis);
+        return node.faces;
+    }
+    TEST_ASSERT_EQUAL_INT(0, node.faces);
+    AccelNode low = accel_node(accel, node.low), high = accel_node(accel, node.high);
+    TEST_ASSERT_TRUE(box_within(low.box, node.box) && box_within(high.box, node.box));
+    if (node.axis >= 0) {
+        TEST_ASSERT_EQUAL_FLOAT(node.split, low.box.high[node.axis]);
+        TEST_ASSERT_EQUAL_FLOAT(node.split, high.box.low[node.axis]);
+    }
+    return check_described(accel, node.low) + check_described(accel, node.high);
+}
+
+static void nodes_should_be_described_with_boxes_inside_their_parents(void)
+{
+    Scene scene = crowd_scene(CROWD_SHEETS, FACES, 5);
+    Accel bvh = tree_of(&scene, ACCEL_BVH), kdtree = tree_of(&scene, ACCEL_KDTREE);
+    TEST_ASSERT_EQUAL_INT(FACES, check_described(&bvh, 0));
+    TEST_ASSERT_EQUAL_INT(kdtree.kdtree.order_count, check_described(&kdtree, 0));
+    accel_free(&bvh);
+    accel_free(&kdtree);
+    scene_free(&scene);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -236,5 +327,7 @@ int main(void)
     RUN_TEST(auto_should_build_a_bvh_only_where_it_pays);
     RUN_TEST(no_faces_should_need_no_tree);
     RUN_TEST(recorder_should_hear_of_each_node_and_face);
+    RUN_TEST(recorder_should_change_nothing_and_hear_what_is_counted);
+    RUN_TEST(nodes_should_be_described_with_boxes_inside_their_parents);
     return UNITY_END();
 }

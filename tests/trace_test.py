@@ -151,6 +151,18 @@ class Json(CommandTest):
         out, _ = self.run_program("trace", scene, "--pixel", f"{column},{row}", "--format", "json", *words)
         return json.loads(out)
 
+    def test_with_a_tree_it_keeps_to_the_schema_and_counts_its_nodes(self):
+        for accel in ("bvh", "kdtree"):
+            for scene in SCENES:
+                document = self.trace(scene, 1, 1, "--accel", accel)
+                self.validator.validate(document)
+                tally, met = None, 0
+                for event in document["events"] + [{"event": "tally"}]:
+                    if event["event"] == "tally":
+                        self.assertEqual(met, tally["nodes"]["met"] if tally and "nodes" in tally else 0)
+                        tally, met = event, 0
+                    met += event["event"] == "node"
+
     def test_the_json_alone_makes_the_pixel_of_the_picture(self):
         for scene in SCENES:
             self.run_program("render", scene, "--backend", "reference", "-o", "a.png", "--quiet")
@@ -228,6 +240,25 @@ class Drawings(CommandTest):
                 else:
                     self.assertIn(word, ("#", "usemtl"))
             self.assertTrue(any(name.startswith("primary") for name in groups), groups)
+
+    def test_the_obj_has_the_boxes_of_a_tree(self):
+        for accel in ("bvh", "kdtree"):
+            words = ("trace", SCENES[1], "--pixel", "3,12", "--accel", accel, "--format")
+            lines = self.run_program(*words, "obj", "--with-scene")[0].decode().splitlines()
+            nodes = [event for event in json.loads(self.run_program(*words, "json")[0])["events"]
+                     if event["event"] == "node"]
+            entered = {event["node"] for event in nodes if event["entered"]}
+            passed = {event["node"] for event in nodes} - entered
+            self.assertEqual(lines.count("g node_entered"), len(entered))
+            self.assertEqual(lines.count("g node_passed"), len(passed))
+            self.assertTrue(entered and passed)
+            for line in lines:
+                if line.startswith("g "):
+                    self.assertEqual(len(line.split()), 2, line)
+            at = next(k for k, line in enumerate(lines) if line.startswith("# node 0, "))
+            corners = [[float(x) for x in line.split()[1:]] for line in lines[at + 1:at + 9]]
+            root = next(event for event in nodes if event["node"] == 0)
+            self.assertEqual((corners[0], corners[7]), (root["low"], root["high"]))
 
     def test_the_obj_shows_the_path_of_the_json(self):
         words = ("trace", SCENES[1], "--pixel", "3,12", "--format")
@@ -402,9 +433,10 @@ class Options(CommandTest):
     def test_a_tree_is_told_where_one_is_asked_for(self):
         for accel in ("bvh", "kdtree"):
             out, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12", "--accel", accel)
-            self.assertIn("tree nodes met", out.decode())
+            self.assertIn("tree nodes whose boxes are tested", " ".join(out.decode().split()))
             every, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12", "--accel", accel, "--verbose")
-            self.assertRegex(every.decode(), r"node \d+, entered, a leaf of \d+ face")
+            self.assertRegex(every.decode(), r"node \d+: entered, from t = [^;]*;[^;]*\sa\sleaf\sof\s\d+\sface")
+            self.assertRegex(every.decode(), r"node \d+: missed: leaves [xyz] at t =\s\S+, enters [xyz] at t =")
             plain, _ = self.run_program("trace", SCENES[1], "--pixel", "3,12")
             self.assertEqual(out.splitlines()[-1], plain.splitlines()[-1])
             self.assertNotIn("node", plain.decode())

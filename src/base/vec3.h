@@ -29,6 +29,9 @@ static inline Vec3 vec3_cross(Vec3 a, Vec3 b)
     return vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
+/* x, y, z by number. */
+static inline double vec3_component(Vec3 a, int axis) { return axis == 0 ? a.x : axis == 1 ? a.y : a.z; }
+
 static inline double vec3_length(Vec3 a) { return sqrt(vec3_dot(a, a)); }
 
 /* a / |a|; the caller makes sure that a is not zero. */

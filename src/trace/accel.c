@@ -38,6 +38,52 @@ bool accel_has_tree(const Accel *accel)
     return accel && (accel->kind == ACCEL_BVH || accel->kind == ACCEL_KDTREE);
 }
 
+static AccelNode bvh_node(const Bvh *bvh, int index)
+{
+    const BvhNode *node = &bvh->nodes[index];
+    AccelNode result = {.box = node->box, .leaf = node->count > 0, .faces = node->count, .axis = -1};
+    if (result.leaf)
+        result.order = bvh->order + node->first;
+    else
+        result.low = index + 1, result.high = node->first;
+    return result;
+}
+
+/* Cuts the box of the whole tree on the way down from the root: the nodes of a low side have the smaller numbers. */
+static Box kdtree_box(const KdTree *tree, int index)
+{
+    Box box = tree->box;
+    for (int at = 0; at != index;) {
+        const KdNode *node = &tree->nodes[at];
+        bool high = index >= node->first;
+        if (high)
+            box.low[node->axis] = node->split;
+        else
+            box.high[node->axis] = node->split;
+        at = high ? node->first : at + 1;
+    }
+    return box;
+}
+
+static AccelNode kdtree_node(const KdTree *tree, int index)
+{
+    const KdNode *node = &tree->nodes[index];
+    AccelNode result = {.box = kdtree_box(tree, index), .leaf = node->axis == KDTREE_LEAF, .axis = -1};
+    if (result.leaf) {
+        result.faces = node->count;
+        result.order = tree->order + node->first;
+    } else {
+        result.axis = node->axis, result.split = node->split;
+        result.low = index + 1, result.high = node->first;
+    }
+    return result;
+}
+
+AccelNode accel_node(const Accel *accel, int index)
+{
+    return accel->kind == ACCEL_BVH ? bvh_node(&accel->bvh, index) : kdtree_node(&accel->kdtree, index);
+}
+
 void accel_traverse(const Accel *accel, Traversal *traversal)
 {
     if (accel->kind == ACCEL_BVH)

@@ -25,6 +25,19 @@ void accel_free(Accel *accel);
 /* NULL, ACCEL_NONE and an Accel that was never built have none. */
 bool accel_has_tree(const Accel *accel);
 
+/* A node of either tree, by its number. */
+typedef struct AccelNode {
+    Box box; /* a k-d tree's is the part of space that its planes cut out */
+    bool leaf;
+    int faces;        /* of a leaf */
+    const int *order; /* of a leaf: its faces */
+    int axis;         /* of a k-d tree's inner node: 0, 1 or 2, across which its plane lies; else -1 */
+    float split;      /* where the plane is */
+    int low, high;    /* the children; of a k-d tree on the low and on the high side of the plane */
+} AccelNode;
+
+AccelNode accel_node(const Accel *accel, int index);
+
 /* Traverses the tree that there is. */
 void accel_traverse(const Accel *accel, Traversal *traversal);
 

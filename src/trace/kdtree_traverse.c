@@ -2,20 +2,15 @@
  * side and the part on its high side; the ray meets them in the order of its direction. */
 #include "trace/kdtree_traverse.h"
 
-static double component(Vec3 a, int axis)
-{
-    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-}
-
 /* Traverses the node whose box the ray is in during `inside`; false: the traversal is over. */
 static bool traverse_node(const KdTree *tree, int index, int level, Interval inside, Traversal *traversal)
 {
     const KdNode *node = &tree->nodes[index];
-    bool enter = inside.enter <= inside.leave && inside.enter <= traversal->limit;
+    NodeVerdict verdict = traversal_verdict(traversal, inside);
     traversal->box_tests++;
     if (traversal->node)
-        traversal->node(traversal, (TraversalNode){index, level, node->axis == KDTREE_LEAF ? node->count : 0, enter});
-    if (!enter)
+        traversal->node(traversal, (TraversalNode){index, level, verdict, inside, traversal->limit});
+    if (verdict != NODE_ENTERED)
         return true;
 
     if (node->axis == KDTREE_LEAF) {
@@ -24,7 +19,8 @@ static bool traverse_node(const KdTree *tree, int index, int level, Interval ins
                 return false;
         return true;
     }
-    double origin = component(traversal->origin, node->axis), direction = component(traversal->direction, node->axis);
+    double origin = vec3_component(traversal->origin, node->axis),
+           direction = vec3_component(traversal->direction, node->axis);
     double plane = (double)node->split;
     /* The plane itself belongs to both sides: a ray in it visits both. */
     Interval low = interval_common(inside, interval_between(-HUGE_VAL, plane, origin, direction));

@@ -7,6 +7,7 @@
 
 #include "scene/geometry.h"
 #include "scene/light.h"
+#include "trace/accel.h"
 #include "trace/adaptive.h"
 #include "trace/traversal.h"
 
@@ -48,7 +49,7 @@ typedef struct Event {
         struct { int column, row, i, j; ScreenPoint at; Vec3 c, q, r; } sample; /* C, Q, R */
         /* nearest_t: of the faces before, HUGE_VAL if none */
         struct { int face; FaceTest test; double nearest_t; } face;
-        TraversalNode node;
+        struct { TraversalNode visit; AccelNode shape; } node;
         /* normal: turned to the ray; step: 0 for the first hit */
         struct { int face; FaceTest test; Vec3 point, normal, shifted; int step; } hit;
         struct { Vec3 background, weight_times_background; double weight; } miss;
@@ -63,8 +64,11 @@ typedef struct Event {
         struct { Vec3 r_unit, direction, origin; double reflection, weight; int bounce; } reflected;
         struct { PathEnd reason; Vec3 colour; int bounces; } path_end; /* colour: of this sample */
         struct { Vec3 sum, average, clamped; int samples; unsigned char rgb[3]; } pixel;
-        /* shadow: of a shadow ray; leaves: among the nodes entered */
-        struct { int tested, verdicts[FACE_VERDICT_COUNT], nodes_met, nodes_entered, leaves; bool shadow; } tally;
+        /* shadow: of a shadow ray; nodes: by verdict; leaves: among those entered */
+        struct {
+            int tested, verdicts[FACE_VERDICT_COUNT], nodes_met, nodes[NODE_VERDICT_COUNT], leaves;
+            bool shadow;
+        } tally;
     } as;
 } Event;
 

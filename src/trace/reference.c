@@ -45,10 +45,11 @@ static Vec3 point_at(Ray ray, double t)
     return vec3_add(ray.origin, vec3_scale(t, ray.direction));
 }
 
-static void record_node(const Traversal *traversal, TraversalNode node)
+static void record_node(const Traversal *traversal, TraversalNode visit)
 {
     const Search *search = traversal->user;
-    record(search->tracer->recorder, (Event){.kind = EVENT_NODE, .as.node = node});
+    const Tracer *tracer = search->tracer;
+    RECORD(tracer, EVENT_NODE, .as.node = {visit, accel_node(tracer->accel, visit.node)});
 }
 
 /* Shows `visit` the faces that the ray may meet before t = limit: those that the tree finds, or all in file order. */

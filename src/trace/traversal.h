@@ -10,12 +10,20 @@
 
 typedef struct Traversal Traversal;
 
-/* A node that the traversal came to: entered, or left aside
- * because the ray misses it or reaches it beyond the limit. */
+/* What becomes of a node whose box was tested. */
+typedef enum NodeVerdict {
+    NODE_ENTERED,
+    NODE_MISSED,   /* the ray is never in its box */
+    NODE_BEYOND,   /* the ray reaches it beyond the limit */
+    NODE_UNNEEDED, /* the traversal ended before */
+    NODE_VERDICT_COUNT
+} NodeVerdict;
+
 typedef struct TraversalNode {
     int node, level; /* the root's level is 0 */
-    int faces;       /* in a leaf; 0 in an inner node */
-    bool entered;
+    NodeVerdict verdict;
+    Interval inside; /* when the ray is in its box */
+    double limit;    /* at that time */
 } TraversalNode;
 
 struct Traversal {
@@ -26,5 +34,13 @@ struct Traversal {
     void *user;
     uint64_t box_tests; /* counted by the traversal */
 };
+
+/* Whether a node is entered whose box the ray is in during `inside`. */
+static inline NodeVerdict traversal_verdict(const Traversal *traversal, Interval inside)
+{
+    if (!(inside.enter <= inside.leave))
+        return NODE_MISSED;
+    return inside.enter <= traversal->limit ? NODE_ENTERED : NODE_BEYOND;
+}
 
 #endif

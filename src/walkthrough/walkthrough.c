@@ -11,6 +11,12 @@ const char *const walkthrough_face_verdicts[] = {
     [FACE_PARALLEL] = "parallel", [FACE_BEHIND] = "behind", [FACE_BACK] = "back", [FACE_FARTHER] = "farther",
     [FACE_OUTSIDE] = "outside",   [FACE_INSIDE] = "inside", [FACE_LEFT] = "left",
 };
+const char *const walkthrough_node_verdicts[] = {
+    [NODE_ENTERED] = "entered",
+    [NODE_MISSED] = "missed",
+    [NODE_BEYOND] = "beyond",
+    [NODE_UNNEEDED] = "unneeded",
+};
 const char *const walkthrough_light_verdicts[] = {
     [LIGHT_BEHIND_FACE] = "behind face",
     [LIGHT_BLOCKED] = "blocked",
@@ -81,12 +87,11 @@ static void count_node(Walkthrough *walk, const Event *event)
     Event *tally = tally_of(walk);
     if (!tally)
         return;
-    bool entered = event->as.node.entered;
+    NodeVerdict verdict = event->as.node.visit.verdict;
     tally->as.tally.nodes_met++;
-    tally->as.tally.nodes_entered += entered;
-    tally->as.tally.leaves += entered && event->as.node.faces > 0;
-    if (walk->request.verbose || (entered && tally->as.tally.nodes_entered <= WALKTHROUGH_NODES_TOLD))
-        append(walk, event);
+    tally->as.tally.nodes[verdict]++;
+    tally->as.tally.leaves += verdict == NODE_ENTERED && event->as.node.shape.leaf;
+    append(walk, event);
 }
 
 /* A face was tested, against the path's ray or against a shadow ray. */
@@ -185,6 +190,8 @@ void walkthrough_follow(WalkthroughPlace *place, const Walkthrough *walk, const 
         place->length = vec3_length(place->ray.direction);
     } else if (event->kind == EVENT_LIGHT) {
         place->light = event;
+    } else if (event->kind == EVENT_TALLY) {
+        place->shadow = event->as.tally.shadow;
     } else if (event->kind == EVENT_REFLECTED) {
         place->ray = (Ray){event->as.reflected.origin, event->as.reflected.direction};
         place->weight = event->as.reflected.weight;
@@ -208,6 +215,14 @@ WalkthroughSides walkthrough_sides(const Face *face)
     if (face->vertex_count == 3)
         return (WalkthroughSides){vec3_sub(v1, v0), vec3_sub(v2, v0)};
     return (WalkthroughSides){vec3_sub(v2, v0), vec3_sub(face_vertex(face, 3), v1)};
+}
+
+Ray walkthrough_search_ray(const WalkthroughPlace *place)
+{
+    if (!place->shadow)
+        return place->ray;
+    Vec3 from = place->light->as.light.shadow_origin;
+    return (Ray){from, vec3_sub(place->light->as.light.position, from)};
 }
 
 Vec3 walkthrough_to_viewer(const Scene *scene, const WalkthroughPlace *place)

@@ -11,13 +11,13 @@
 
 #include <stdio.h>
 
-/* Of the faces that a ray hits, and of the nodes that it enters, so many are told where the rest is only counted. */
-enum { WALKTHROUGH_HITS_TOLD = 8, WALKTHROUGH_NODES_TOLD = 48 };
+/* Of the faces that a ray hits, so many are told where the rest is only counted. */
+enum { WALKTHROUGH_HITS_TOLD = 8 };
 
 typedef struct WalkthroughRequest {
     int column, row; /* in the picture */
     int i, j;        /* the sample that is told in full, in the grid; of the others only the colour is */
-    bool verbose;    /* every face tested and every node met is told, at some 220 bytes each */
+    bool verbose;    /* every face tested is told, at some 220 bytes each */
 } WalkthroughRequest;
 
 /* The bytes of a pixel and its neighbours, row by row; the pixel itself is in the middle. */
@@ -28,7 +28,8 @@ typedef struct WalkthroughAround {
     unsigned char rgb[9][3];
 } WalkthroughAround;
 
-/* In the list each ray's search begins with an EVENT_TALLY; events follow for those nodes and faces that are told. */
+/* In the list each ray's search begins with an EVENT_TALLY; events follow for the nodes met, and for those faces that
+ * are told. */
 typedef struct Walkthrough {
     const Scene *scene;     /* borrowed */
     const char *scene_name; /* borrowed; as the user gave it */
@@ -61,6 +62,7 @@ void walkthrough_free(Walkthrough *walk);
 typedef struct WalkthroughPlace {
     const Event *sample, *hit, *light; /* the latest; hit and light are NULL before the first of the sample */
     bool told;                         /* whether the sample is the one that is told in full */
+    bool shadow;                       /* the latest search is a shadow ray's */
     Ray ray;                           /* the one being followed */
     double length;                     /* |R| of the ray that arrived at the latest hit */
     double weight;                     /* of the next hit */
@@ -86,6 +88,9 @@ typedef struct WalkthroughSides {
 
 WalkthroughSides walkthrough_sides(const Face *face);
 
+/* The ray of the search that a node belongs to: the path's, or the one from the shifted point to the light. */
+Ray walkthrough_search_ray(const WalkthroughPlace *place);
+
 /* What V is the unit vector of, at the latest hit: C - P, or -R. */
 Vec3 walkthrough_to_viewer(const Scene *scene, const WalkthroughPlace *place);
 
@@ -103,6 +108,7 @@ double walkthrough_scene_size(const Scene *scene);
 
 /* One word for each value of an enumeration. */
 extern const char *const walkthrough_face_verdicts[];
+extern const char *const walkthrough_node_verdicts[];
 extern const char *const walkthrough_light_verdicts[];
 extern const char *const walkthrough_path_ends[];
 extern const char *const walkthrough_adaptive_reasons[];

@@ -3,6 +3,7 @@
 #include "walkthrough/walkthrough_json_event.h"
 
 #include "walkthrough/walkthrough_json_light.h"
+#include "walkthrough/walkthrough_json_node.h"
 
 #include <math.h>
 
@@ -46,21 +47,6 @@ static void put_adaptive(JsonNode node, const Scene *scene, const AdaptiveVerdic
         json_node_number(node, "light", verdict->light);
     if (reason != ADAPTIVE_HIGHLIGHT)
         put_face(node, scene, verdict->face);
-}
-
-static void put_tally(JsonNode node, const Event *event)
-{
-    json_node_text(node, "ray", event->as.tally.shadow ? "shadow" : "path");
-    json_node_number(node, "tested", event->as.tally.tested);
-    JsonNode verdicts = json_node_object(node, "verdicts");
-    for (int k = 0; k < FACE_VERDICT_COUNT; k++)
-        json_node_number(verdicts, walkthrough_face_verdicts[k], event->as.tally.verdicts[k]);
-    if (event->as.tally.nodes_met == 0)
-        return;
-    JsonNode nodes = json_node_object(node, "nodes");
-    json_node_number(nodes, "met", event->as.tally.nodes_met);
-    json_node_number(nodes, "entered", event->as.tally.nodes_entered);
-    json_node_number(nodes, "leaves", event->as.tally.leaves);
 }
 
 static void put_hit(JsonNode node, const Scene *scene, const WalkthroughPlace *place, const Event *event)
@@ -176,7 +162,7 @@ cJSON *walkthrough_event_json(const Walkthrough *walk, const WalkthroughPlace *p
         put_test(node, &event->as.occluder.test);
         break;
     case EVENT_TALLY:
-        put_tally(node, event);
+        walkthrough_json_tally(node, event);
         break;
     case EVENT_HIT:
         put_hit(node, scene, place, event);
@@ -217,10 +203,7 @@ cJSON *walkthrough_event_json(const Walkthrough *walk, const WalkthroughPlace *p
         put_pixel(node, event);
         break;
     case EVENT_NODE:
-        json_node_number(node, "node", event->as.node.node);
-        json_node_number(node, "level", event->as.node.level);
-        json_node_bool(node, "entered", event->as.node.entered);
-        json_node_number(node, "faces", event->as.node.faces);
+        walkthrough_json_node(node, scene, place, event);
         break;
     case EVENT_KIND_COUNT:
         break;

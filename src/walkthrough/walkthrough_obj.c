@@ -2,6 +2,7 @@
  * the coordinates of the scene file, so that Blender or MeshLab shows them beside the scene, or, with the scene's faces
  * in the same file, in it. */
 #include "walkthrough/ink.h"
+#include "walkthrough/walkthrough_boxes.h"
 #include "walkthrough/walkthrough_formats.h"
 #include "walkthrough/walkthrough_lines.h"
 
@@ -50,6 +51,27 @@ static void write_line(void *user, const WalkthroughLine *line)
     fprintf(file->out, "l %ld %ld\n", file->vertices - 1, file->vertices);
 }
 
+static void write_box(void *user, const WalkthroughBox *box)
+{
+    ObjFile *file = user;
+    fprintf(file->out, "g node_%s\n# node %d, level %d%s\n", box->entered ? "entered" : "passed", box->node, box->level,
+            box->leaf ? ", a leaf" : "");
+    for (int k = 0; k < 8; k++)
+        write_vertex(file, box->corners[k]);
+    for (int k = 0; k < BOX_EDGES; k++)
+        fprintf(file->out, "l %ld %ld\n", file->vertices - 7 + walkthrough_box_edges[k][0],
+                file->vertices - 7 + walkthrough_box_edges[k][1]);
+}
+
+/* A name as groups have it: one word. */
+static InkText word_of(const char *name)
+{
+    InkText word = ink_name(name, 80);
+    for (char *c = word.text; *c; c++)
+        *c = *c == ' ' ? '_' : *c;
+    return word;
+}
+
 static void write_face(ObjFile *file, const Scene *scene, const Face *face)
 {
     for (int k = 0; k < face->vertex_count; k++)
@@ -66,7 +88,7 @@ static void write_scene(ObjFile *file, const Scene *scene)
     for (int i = 0; i < scene->face_count; i++) {
         const Face *face = &scene->faces[i];
         if (face->object != object)
-            fprintf(file->out, "g scene_%s\n", ink_name(scene->objects[face->object].name, 80).text);
+            fprintf(file->out, "g scene_%s\n", word_of(scene->objects[face->object].name).text);
         if (face->material != material)
             fprintf(file->out, "usemtl %s\n", ink_name(scene->materials[face->material].name, 80).text);
         object = face->object;
@@ -77,7 +99,6 @@ static void write_scene(ObjFile *file, const Scene *scene)
 
 bool walkthrough_write_obj(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
-    (void)error;
     ObjFile file = {.out = out};
     fprintf(out, "# The path of pixel (%d, %d) of %s, in the coordinates of that file.\n", walk->request.column,
             walk->request.row, ink_name(walk->scene_name, 60).text);
@@ -85,5 +106,5 @@ bool walkthrough_write_obj(FILE *out, const Walkthrough *walk, WalkthroughStyle 
     walkthrough_lines(walk, write_line, &file);
     if (style.with_scene)
         write_scene(&file, walk->scene);
-    return true;
+    return walkthrough_boxes(walk, write_box, &file, error);
 }

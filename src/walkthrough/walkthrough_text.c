@@ -7,6 +7,7 @@
 #include "walkthrough/walkthrough_text_head.h"
 #include "walkthrough/walkthrough_text_hit.h"
 #include "walkthrough/walkthrough_text_light.h"
+#include "walkthrough/walkthrough_text_node.h"
 #include "walkthrough/walkthrough_text_search.h"
 #include "walkthrough/walkthrough_text_sum.h"
 

@@ -1,6 +1,8 @@
 /* The walkthrough as text: the search for the face that a ray hits, or that stands in a shadow ray's way. */
 #include "walkthrough/walkthrough_text_search.h"
 
+#include "walkthrough/walkthrough_text_node.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -45,39 +47,6 @@ static void print_table_head(WalkthroughText *text)
     text->rows_told = true;
 }
 
-/* The nodes of the tree that the ray enters, in a paragraph. */
-static void print_nodes(const WalkthroughText *text, const Event *tally)
-{
-    int entered = tally->as.tally.nodes_entered, told = 0;
-    char line[1024];
-    size_t used = (size_t)snprintf(line, sizeof line, "    Entered %d of the %d tree nodes met", entered,
-                                   tally->as.tally.nodes_met);
-    for (const Event *event = tally + 1;
-         event->kind == EVENT_NODE || event->kind == EVENT_FACE || event->kind == EVENT_OCCLUDER; event++) {
-        const TraversalNode *node = &event->as.node;
-        if (event->kind != EVENT_NODE || !node->entered || told == WALKTHROUGH_NODES_TOLD)
-            continue;
-        used += (size_t)snprintf(line + used, sizeof line - used, "%s %d", told++ > 0 ? "," : ":", node->node);
-        if (node->faces > 0)
-            used += (size_t)snprintf(line + used, sizeof line - used, " (leaf)");
-    }
-    ink_paragraph(&text->ink, "%s%s.", line, told < entered ? ", ..." : "");
-}
-
-void walkthrough_text_node(WalkthroughText *text, const Event *event)
-{
-    const TraversalNode *node = &event->as.node;
-    if (!text->walk->request.verbose)
-        return; /* the tally has told it */
-    if (!text->rows_told)
-        print_table_head(text);
-    int indent = node->level < 16 ? 2 * node->level : 32;
-    InkText leaf = node->faces > 0 ? ink_text(", a leaf of %d face%s", node->faces, node->faces == 1 ? "" : "s")
-                                   : ink_text("%s", "");
-    ink_line(&text->ink, "      %*snode %d, %s%s", indent, "", node->node, node->entered ? "entered" : "left aside",
-             node->entered ? leaf.text : "");
-}
-
 /* "3 behind (t <= 0),\t1 hit": what came of the faces. */
 static InkText reasons_of(const Event *event)
 {
@@ -102,7 +71,7 @@ void walkthrough_text_tally(WalkthroughText *text, const Event *event)
                         : blocked       ? " in the order of the file"
                                         : " besides the one that the ray leaves";
     if (tree)
-        print_nodes(text, event);
+        walkthrough_text_nodes(text, event);
     if (tested > 0)
         ink_line(&text->ink, "    Tested %d face%s%s:\t%s.", tested, tested == 1 ? "" : "s", which,
                  reasons_of(event).text);
