@@ -20,6 +20,7 @@ static const Command commands[] = {
     {"compare", "A.png B.png", 2, 2, "Measures how far two pictures differ.", command_compare},
     {"bench", "[error] [SCENE...]", 0, MAX_OPERANDS, "Measures how long scenes take; with `error`, time against error.",
      command_bench},
+    {"tree", "SCENE", 1, 1, "Shows the trees of a scene: their size, how they are built, their boxes.", command_tree},
     {"generate", "KIND", 1, 1, "Writes a scene of a given size: menger, city or grid.", command_generate},
     {"devices", "", 0, 0, "Lists the OpenCL devices.", command_devices},
     {0},

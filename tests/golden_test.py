@@ -12,11 +12,14 @@ import re
 import shlex
 import subprocess
 import sys
+import tempfile
 import unittest
 
 PROGRAM = os.path.abspath(os.environ.get("RECTRAY", "build/rectray"))
 CHAPTER = "docs/walkthrough.md"
-DRAWING = "docs/images/walkthrough-gallery.svg"  # by the command that the chapter gives
+# Drawings, each by the command that its page gives: `rectray ... -o PATH`.
+DRAWINGS = {"docs/images/walkthrough-gallery.svg": CHAPTER, "docs/images/trees-kdtree.svg": "docs/trees.md",
+            "docs/images/trees-bvh.svg": "docs/trees.md"}
 GOLDEN = sorted(glob.glob("tests/golden/*.txt"))
 
 
@@ -37,9 +40,11 @@ def golden_text(path):
     return f"$ {command}\n{output_of(command)}"
 
 
-def drawing_text():
-    command = re.search(rf"`(rectray trace [^`]*) -o {re.escape(DRAWING)}`", read(CHAPTER)).group(1)
-    return output_of(command)
+def drawing_text(path):
+    command = re.search(rf"`(rectray [^`]*) -o\s+{re.escape(path)}`", read(DRAWINGS[path])).group(1)
+    with tempfile.TemporaryDirectory() as folder:
+        output_of(f"{command} -o {folder}/drawing.svg")
+        return read(f"{folder}/drawing.svg")
 
 
 def parts_of(output):
@@ -91,8 +96,9 @@ class Chapter(unittest.TestCase):
     def test_its_output_is_the_program_s(self):
         self.assertEqual(read(CHAPTER), chapter_text(), "`make golden` renews it")
 
-    def test_its_drawing_is_the_program_s(self):
-        self.assertEqual(read(DRAWING) == drawing_text(), True, f"{DRAWING}: `make golden` renews it")
+    def test_the_drawings_are_the_program_s(self):
+        for path in DRAWINGS:
+            self.assertEqual(read(path) == drawing_text(path), True, f"{path}: `make golden` renews it")
 
     def test_it_shows_a_whole_walkthrough(self):
         commands = re.findall(r"^```console\n\$ ([^\n]*)\n```\n(.*?)(?=^```console|\Z)", read(CHAPTER), re.M | re.S)
@@ -113,9 +119,10 @@ def renew():
         text = golden_text(path)
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
-    text = drawing_text()
-    with open(DRAWING, "w", encoding="utf-8") as file:
-        file.write(text)
+    for path in DRAWINGS:
+        text = drawing_text(path)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
     text = chapter_text()
     with open(CHAPTER, "w", encoding="utf-8") as file:
         file.write(text)

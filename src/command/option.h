@@ -39,6 +39,7 @@ typedef struct Options {
     WalkthroughFormat format;
     ColourChoice colour;
     int width; /* of lines of text; 0: not given */
+    int steps; /* of the building of a tree; 0: not given */
     StatsFormat stats;
     ProgressMode progress;
     bool precision_given, pixel_given, shift_given;

@@ -158,7 +158,7 @@ static bool set_lanes(Options *o, const char *value)
 
 /* clang-format off */
 const Option option_table[] = {
-    {"output", 'o', "FILE", "render trace explore compare generate bench",
+    {"output", 'o', "FILE", "render trace explore compare generate bench tree",
      "write the output there; - is standard output",
      TEXT(output), .expects = "the name of a file, or - for standard output"},
     {"size", 's', "COLUMNSxROWS", "render trace explore bench", "pixels of the picture, instead of the scene's",
@@ -214,8 +214,10 @@ const Option option_table[] = {
      WORD(settings.arithmetic, render_arithmetics)},
     {"shift", 0, "LENGTH", "render bench", "of points off their faces in textbook arithmetic (default 1e-5)",
      OWN(set_shift), .expects = "a number from 0 to 1e6, such as 1e-5"},
-    {"accel", 'a', "NAME", "render trace cast bench", "auto (default), none, kdtree or bvh: how to find faces",
+    {"accel", 'a', "NAME", "render trace cast bench tree", "auto (default), none, kdtree or bvh: how to find faces",
      WORD(settings.accel, render_accels)},
+    {"step", 0, "N", "tree", "show the first N nodes with the planes that were tried and their costs",
+     NUMBER(steps, 1, 1000)},
     {"lanes", 0, "N", "render cast bench", "rays that an OpenCL work-item traces: 1, 4, 8 or 16",
      OWN(set_lanes), .words = lane_words},
     {"no-skip", 0, "NAMES", "render", "do work that the scene needs not: all, or names such as tree,mirrors",
@@ -225,7 +227,7 @@ const Option option_table[] = {
     {"stats", 0, "[=FORMAT]", "render cast", "tell what was done and how long it took: text or json",
      OWN(set_stats), .words = stats_formats},
     {"progress", 0, "WHEN", "render", "auto (default: on a terminal), always or never", WORD(progress, progress_modes)},
-    {"quiet", 'q', NULL, "render trace explore cast check compare bench generate devices", "no messages but errors",
+    {"quiet", 'q', NULL, "render trace explore cast check compare bench generate devices tree", "no messages but errors",
      FLAG(quiet)},
     {"help", 'h', NULL, "", "show this help", FLAG(help)},
     {"version", 'V', NULL, "", "show the version", FLAG(version)},

@@ -6,6 +6,7 @@
 
 #include "scene/box.h"
 #include "scene/scene.h"
+#include "trace/bvh_split.h"
 
 /* A leaf has count > 0 faces, order[first .. first + count - 1]. An inner node has count 0; its children are the node
  * after it and the node `first`. */
@@ -20,8 +21,6 @@ typedef struct Bvh {
     int *order;     /* the faces in the order of the leaves */
     int face_count;
 } Bvh;
-
-enum { BVH_MAX_DEPTH = 96 };
 
 /* Builds the tree of a scene with at least one face on `threads` threads; the tree does not depend on their number.
  * Memory: 72 bytes per face, and 36 more while building. False with an ERROR_SYSTEM when there is not enough. */

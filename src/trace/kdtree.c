@@ -104,7 +104,7 @@ static void build(Builder *builder, Job *job, VoxelPlaces *places, Part *part)
         set_aside(builder, job, part);
         return;
     }
-    VoxelCut cut = voxel_best_cut(&job->voxel);
+    VoxelCut cut = voxel_best_cut(&job->voxel, NULL, NULL);
     if (!cut_pays(builder, job, &cut)) {
         add_leaf(part, job->voxel.faces, job->voxel.face_count);
         return;

@@ -10,7 +10,7 @@
 /* A step to a child costs as much as this many face tests: less makes trees twice
  * as large that are no faster. A cut that leaves one side empty is worth more than
  * the heuristic knows (section 3.3), for it spares rays that end elsewhere. */
-#define STEP_COST 1.0
+#define STEP_COST KDTREE_STEP_COST
 #define EMPTY_BONUS 0.8
 
 static bool voxel_allocate(Voxel *voxel, int faces)
@@ -118,9 +118,16 @@ static Slices slices_of(const Box *box, int axis)
                     box_half_area(*box)};
 }
 
+/* The best cut so far, and who wants to see all. */
+typedef struct Choice {
+    VoxelCut best;
+    void (*each)(void *user, const VoxelCut *cut); /* NULL: nobody */
+    void *user;
+} Choice;
+
 /* Takes the cut if it is a better one. A cut along the voxel's own
  * side must take the faces in that side away, or it is none. */
-static void try_cut(const Slices *slices, VoxelCut cut, VoxelCut *best)
+static void try_cut(const Slices *slices, VoxelCut cut, Choice *choice)
 {
     double low = (double)cut.position - slices->low, high = slices->high - (double)cut.position;
     if ((low == 0 && cut.low_count == 0) || (high == 0 && cut.high_count == 0))
@@ -129,12 +136,14 @@ static void try_cut(const Slices *slices, VoxelCut cut, VoxelCut *best)
     cut.cost = STEP_COST + (low_area * cut.low_count + high_area * cut.high_count) / slices->area;
     if (cut.low_count == 0 || cut.high_count == 0)
         cut.cost *= EMPTY_BONUS;
-    if (cut.cost < best->cost)
-        *best = cut;
+    if (choice->each)
+        choice->each(choice->user, &cut);
+    if (cut.cost < choice->best.cost)
+        choice->best = cut;
 }
 
 /* Sweeps the plane through the events of an axis: those before it are on the low side. */
-static void sweep_axis(const Voxel *voxel, int axis, VoxelCut *best)
+static void sweep_axis(const Voxel *voxel, int axis, Choice *choice)
 {
     const VoxelEvent *events = voxel->events[axis];
     const Slices slices = slices_of(&voxel->box, axis);
@@ -146,20 +155,20 @@ static void sweep_axis(const Voxel *voxel, int axis, VoxelCut *best)
             of_type[events[i].code % 4]++;
         int planar = of_type[BOX_PLANAR];
         high -= planar + of_type[BOX_ENDS];
-        try_cut(&slices, (VoxelCut){axis, position, true, low + planar, high, 0}, best);
+        try_cut(&slices, (VoxelCut){axis, position, true, low + planar, high, 0}, choice);
         if (planar > 0)
-            try_cut(&slices, (VoxelCut){axis, position, false, low, high + planar, 0}, best);
+            try_cut(&slices, (VoxelCut){axis, position, false, low, high + planar, 0}, choice);
         low += planar + of_type[BOX_BEGINS];
     }
 }
 
-VoxelCut voxel_best_cut(const Voxel *voxel)
+VoxelCut voxel_best_cut(const Voxel *voxel, void (*each)(void *user, const VoxelCut *cut), void *user)
 {
-    VoxelCut best = {.cost = HUGE_VAL};
+    Choice choice = {.best = {.cost = HUGE_VAL}, .each = each, .user = user};
     for (int axis = 0; axis < 3; axis++)
         if (voxel->box.low[axis] < voxel->box.high[axis])
-            sweep_axis(voxel, axis, &best);
-    return best;
+            sweep_axis(voxel, axis, &choice);
+    return choice.best;
 }
 
 /* --- Cutting (section 4.3; boxes stay sorted when they are cut, so that nothing need be sorted anew) --- */

@@ -9,6 +9,9 @@
 
 #include <stdint.h>
 
+/* What a step into a node costs, in face tests. */
+#define KDTREE_STEP_COST 1.0
+
 typedef enum VoxelEventType { BOX_ENDS, BOX_PLANAR, BOX_BEGINS } VoxelEventType;
 
 typedef struct VoxelEvent {
@@ -41,8 +44,9 @@ typedef struct VoxelPlaces {
 /* The voxel of all faces. False, with nothing to free, when memory is short. */
 bool voxel_of_scene(Voxel *voxel, const Scene *scene);
 
-/* The cheapest cut by the surface area heuristic, all three axes in one sweep each. */
-VoxelCut voxel_best_cut(const Voxel *voxel);
+/* The cheapest cut by the surface area heuristic, all three axes in one sweep each. `each` is shown every cut that is
+ * tried; NULL: nobody looks. */
+VoxelCut voxel_best_cut(const Voxel *voxel, void (*each)(void *user, const VoxelCut *cut), void *user);
 
 /* Cuts: the voxel becomes its high side, `low` gets memory of its own. `places` has room for each face of the voxel.
  * False, the voxel unchanged, when memory is short. */

@@ -16,7 +16,7 @@ static void measure_line(SvgExtent *extent, Vec3 from, Vec3 to)
     include(extent, from);
     include(extent, to);
     for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++) {
-        SvgPoint a = svg_flatten(k, from), b = svg_flatten(k, to);
+        SvgPoint a = svg_flatten((SvgProjection){k, false}, from), b = svg_flatten((SvgProjection){k, false}, to);
         extent->lengths[k] += hypot(b.x - a.x, b.y - a.y);
     }
 }

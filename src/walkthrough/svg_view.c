@@ -15,17 +15,28 @@ static const struct {
     {"seen from the front", "x", "y"},
 };
 
-SvgPoint svg_flatten(SvgDirection direction, Vec3 p)
+SvgProjection svg_projection(SvgDirection direction, const Scene *scene)
 {
-    if (direction == SVG_FROM_ABOVE)
-        return (SvgPoint){p.x, -p.z};
-    return direction == SVG_FROM_SIDE ? (SvgPoint){p.z, p.y} : (SvgPoint){p.x, p.y};
+    View view = view_of(scene);
+    bool along_z = fabs(view.forward.z) >= fabs(view.forward.x);
+    /* Along its own axis a view must not be mirrored against the picture; across it the camera looks to the right. */
+    if (direction == SVG_FROM_SIDE)
+        return (SvgProjection){direction, along_z ? view.forward.z < 0 : view.right.z < 0};
+    return (SvgProjection){direction, along_z ? view.right.x < 0 : view.forward.x < 0};
+}
+
+SvgPoint svg_flatten(SvgProjection projection, Vec3 p)
+{
+    double sign = projection.turned ? -1 : 1;
+    if (projection.direction == SVG_FROM_ABOVE)
+        return (SvgPoint){sign * p.x, -sign * p.z};
+    return (SvgPoint){sign * (projection.direction == SVG_FROM_SIDE ? p.z : p.x), p.y};
 }
 
 /* Where a position is on the paper. */
 static SvgPoint project(const SvgView *view, Vec3 p)
 {
-    SvgPoint flat = svg_flatten(view->direction, p);
+    SvgPoint flat = svg_flatten(view->projection, p);
     double x = view->box.left + (flat.x - view->left) * view->scale;
     double y = view->box.bottom - (flat.y - view->bottom) * view->scale;
     /* Far outside the panel a smaller number does as well, and drawing programs can read it. */
@@ -58,13 +69,21 @@ static void draw_tick(const SvgView *view, bool vertical, double along, double v
                 box->left, along, box->right, box->left - 5, along + 4, value);
 }
 
+/* Whether the numbers of an axis become smaller to the right (that whose lines are vertical) or upwards. */
+static bool runs_back(const SvgView *view, bool vertical)
+{
+    if (vertical)
+        return view->projection.turned;
+    return view->projection.direction == SVG_FROM_ABOVE && !view->projection.turned;
+}
+
 static void draw_axis(const SvgView *view, bool vertical)
 {
     const SvgBox *box = &view->box;
     double length = (vertical ? box->right - box->left : box->bottom - box->top) / view->scale;
     double start = vertical ? view->left : view->bottom;
     double step = round_step(length / 8);
-    bool flipped = !vertical && view->direction == SVG_FROM_ABOVE; /* the axis is z, which runs downwards */
+    bool flipped = runs_back(view, vertical);
     double first = ceil(start / step) * step;
     for (int k = 0; first + k * step <= start + length; k++) {
         double pixels = (first + k * step - start) * view->scale;
@@ -78,30 +97,34 @@ static void draw_axes(const SvgView *view)
     const SvgBox *box = &view->box;
     draw_axis(view, true);
     draw_axis(view, false);
-    const char *x = directions[view->direction].x, *y = directions[view->direction].y;
-    bool down = view->direction == SVG_FROM_ABOVE;
-    fprintf(view->out, "<text class='axis' x='%.1f' y='%.1f' text-anchor='end'>%s \xE2\x86\x92</text>\n", box->right,
-            box->bottom + 30, x);
+    const char *x = directions[view->projection.direction].x, *y = directions[view->projection.direction].y;
+    bool left = runs_back(view, true), down = runs_back(view, false);
+    fprintf(view->out, "<text class='axis' x='%.1f' y='%.1f' text-anchor='%s'>%s%s%s</text>\n",
+            left ? box->left : box->right, box->bottom + 30, left ? "start" : "end", left ? "\xE2\x86\x90 " : "", x,
+            left ? "" : " \xE2\x86\x92");
     fprintf(view->out, "<text class='axis' x='%.1f' y='%.1f' text-anchor='end'>%s %s</text>\n", box->left - 5,
             down ? box->bottom + 30 : box->top - 10, y, down ? "\xE2\x86\x93" : "\xE2\x86\x91");
     fprintf(view->out, "<text class='title' x='%.1f' y='%.1f'>%s</text>\n", box->left + 4, box->top - 10,
-            directions[view->direction].title);
+            directions[view->projection.direction].title);
 }
 
-void svg_view_begin(SvgView *view, FILE *out, SvgDirection direction, SvgBox box, SvgPoint low, SvgPoint high)
+void svg_view_begin(SvgView *view, FILE *out, int number, SvgProjection projection, SvgBox box, SvgPoint low,
+                    SvgPoint high)
 {
     double width = high.x - low.x, height = high.y - low.y, larger = fmax(width, height);
     double least = larger > 0 ? larger : 1;
     width = fmax(width, least / 1e3) + 2 * MARGIN * least;
     height = fmax(height, least / 1e3) + 2 * MARGIN * least;
     double scale = fmin((box.right - box.left) / width, (box.bottom - box.top) / height);
-    *view = (SvgView){.out = out, .direction = direction, .box = box, .scale = scale};
+    *view = (SvgView){.out = out, .projection = projection, .box = box, .scale = scale};
     view->left = (low.x + high.x) / 2 - (box.right - box.left) / scale / 2;
     view->bottom = (low.y + high.y) / 2 - (box.bottom - box.top) / scale / 2;
+    fprintf(out, "<clipPath id='panel%d'><rect x='%.1f' y='%.1f' width='%.1f' height='%.1f'/></clipPath>\n", number,
+            box.left, box.top, box.right - box.left, box.bottom - box.top);
     fprintf(out, "<rect class='paper' x='%.1f' y='%.1f' width='%.1f' height='%.1f'/>\n", box.left, box.top,
             box.right - box.left, box.bottom - box.top);
     draw_axes(view);
-    fprintf(out, "<g clip-path='url(#panel%d)'>\n", direction);
+    fprintf(out, "<g clip-path='url(#panel%d)'>\n", number);
 }
 
 /* --- What is in it --- */
@@ -124,6 +147,14 @@ void svg_face(const SvgView *view, const Scene *scene, int face, const char *sty
     fprintf(view->out, "<path %s d='M", style);
     for (int k = 0; k < count; k++)
         fprintf(view->out, "%.1f %.1f%s", corners[k].x, corners[k].y, k < count - 1 ? "L" : "Z'/>\n");
+}
+
+void svg_rectangle(const SvgView *view, SvgPoint low, SvgPoint high, const char *style)
+{
+    double left = view->box.left + (low.x - view->left) * view->scale;
+    double top = view->box.bottom - (high.y - view->bottom) * view->scale;
+    fprintf(view->out, "<rect %s x='%.1f' y='%.1f' width='%.1f' height='%.1f'/>\n", style, fmax(left, -1e5),
+            fmax(top, -1e5), fmin((high.x - low.x) * view->scale, 2e5), fmin((high.y - low.y) * view->scale, 2e5));
 }
 
 void svg_line(SvgView *view, Vec3 from, Vec3 to, const char *style)

@@ -16,6 +16,13 @@ typedef struct SvgPoint {
 
 typedef enum SvgDirection { SVG_FROM_ABOVE, SVG_FROM_SIDE, SVG_FROM_FRONT, SVG_DIRECTION_COUNT } SvgDirection;
 
+/* From where a view is taken. Each can be turned about the vertical by half a turn, so that the camera looks the way in
+ * which the picture shows it: away from the reader, or to the right. */
+typedef struct SvgProjection {
+    SvgDirection direction;
+    bool turned;
+} SvgProjection;
+
 /* A box of the paper, in pixels, y downwards. */
 typedef struct SvgBox {
     double left, top, right, bottom;
@@ -29,7 +36,7 @@ typedef struct SvgLabel {
 
 typedef struct SvgView {
     FILE *out;
-    SvgDirection direction;
+    SvgProjection projection;
     SvgBox box;
     double left, bottom; /* of the window, in the scene's units */
     double scale;        /* pixels per unit */
@@ -41,14 +48,27 @@ typedef struct SvgView {
     int line_count;
 } SvgView;
 
-/* What a view shows of a position: x to the right, y upwards, in the scene's units. */
-SvgPoint svg_flatten(SvgDirection direction, Vec3 p);
+SvgProjection svg_projection(SvgDirection direction, const Scene *scene);
 
-/* Begins a panel that shows the window from low to high (flattened) with a margin, its units square. */
-void svg_view_begin(SvgView *view, FILE *out, SvgDirection direction, SvgBox box, SvgPoint low, SvgPoint high);
+/* What a view shows of a position: x to the right, y upwards, in the scene's units. */
+SvgPoint svg_flatten(SvgProjection projection, Vec3 p);
+
+/* Begins a drawing of so many pixels with its title and the style of text, axes and faces. */
+void svg_sheet_begin(FILE *out, int width, int height, const char *title);
+
+/* Prints text with the characters that mean something to XML put in their own words. */
+void svg_text(FILE *out, const char *text);
+
+/* Begins a panel that shows the window from low to high (flattened) with a margin, its units square. No other panel of
+ * the drawing has its number. */
+void svg_view_begin(SvgView *view, FILE *out, int number, SvgProjection projection, SvgBox box, SvgPoint low,
+                    SvgPoint high);
 
 /* A face with an SVG style. Faces that are wholly outside the window are left out. */
 void svg_face(const SvgView *view, const Scene *scene, int face, const char *style);
+
+/* A rectangle of the window, in the scene's units. */
+void svg_rectangle(const SvgView *view, SvgPoint low, SvgPoint high, const char *style);
 
 /* Labels keep off the line. */
 void svg_line(SvgView *view, Vec3 from, Vec3 to, const char *style);

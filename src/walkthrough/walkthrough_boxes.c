@@ -6,15 +6,14 @@
 const int walkthrough_box_edges[BOX_EDGES][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3},
                                                  {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 
-static WalkthroughBox box_of(const Scene *scene, const Event *event, bool entered)
+WalkthroughBox walkthrough_box(const Scene *scene, const Box *box)
 {
-    const Box *box = &event->as.node.shape.box;
-    WalkthroughBox result = {
-        event->as.node.visit.node, event->as.node.visit.level, event->as.node.shape.leaf, entered, {{0, 0, 0}}};
-    for (int k = 0; k < 8; k++)
-        result.corners[k] = walkthrough_world(scene, vec3((double)(k & 1 ? box->high : box->low)[0],
-                                                          (double)(k & 2 ? box->high : box->low)[1],
-                                                          (double)(k & 4 ? box->high : box->low)[2]));
+    WalkthroughBox result = {.node = 0};
+    for (int k = 0; k < 8; k++) {
+        const float *x = k & 1 ? box->high : box->low, *y = k & 2 ? box->high : box->low;
+        const float *z = k & 4 ? box->high : box->low;
+        result.corners[k] = walkthrough_world(scene, vec3((double)x[0], (double)y[1], (double)z[2]));
+    }
     return result;
 }
 
@@ -38,7 +37,11 @@ bool walkthrough_boxes(const Walkthrough *walk, void (*draw)(void *user, const W
             continue;
         bool entered = seen[event->as.node.visit.node] == ENTERED;
         seen[event->as.node.visit.node] = MET;
-        WalkthroughBox box = box_of(walk->scene, event, entered);
+        WalkthroughBox box = walkthrough_box(walk->scene, &event->as.node.shape.box);
+        box.node = event->as.node.visit.node;
+        box.level = event->as.node.visit.level;
+        box.leaf = event->as.node.shape.leaf;
+        box.entered = entered;
         draw(user, &box);
     }
     free(seen);

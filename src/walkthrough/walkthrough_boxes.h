@@ -10,6 +10,9 @@ typedef struct WalkthroughBox {
     Vec3 corners[8]; /* as in the scene file; corner k is on the high side in x, y, z where bit 0, 1, 2 of k is set */
 } WalkthroughBox;
 
+/* With corners alone. */
+WalkthroughBox walkthrough_box(const Scene *scene, const Box *box);
+
 enum { BOX_EDGES = 12 };
 extern const int walkthrough_box_edges[BOX_EDGES][2]; /* the two corners of each */
 

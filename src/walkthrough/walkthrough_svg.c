@@ -83,11 +83,10 @@ static void draw_mark(void *user, const WalkthroughLine *line)
 static void draw_panel(FILE *out, const Walkthrough *walk, SvgDirection direction, SvgBox box, const SvgExtent *extent)
 {
     Painter painter = {.walk = walk};
-    SvgPoint a = svg_flatten(direction, extent->low), b = svg_flatten(direction, extent->high);
+    SvgProjection projection = svg_projection(direction, walk->scene);
+    SvgPoint a = svg_flatten(projection, extent->low), b = svg_flatten(projection, extent->high);
     SvgPoint low = {fmin(a.x, b.x), fmin(a.y, b.y)}, high = {fmax(a.x, b.x), fmax(a.y, b.y)};
-    fprintf(out, "<clipPath id='panel%d'><rect x='%.1f' y='%.1f' width='%.1f' height='%.1f'/></clipPath>\n", direction,
-            box.left, box.top, box.right - box.left, box.bottom - box.top);
-    svg_view_begin(&painter.view, out, direction, box, low, high);
+    svg_view_begin(&painter.view, out, (int)direction, projection, box, low, high);
     draw_faces(&painter);
     walkthrough_lines(walk, draw_line, &painter);
     walkthrough_lines(walk, draw_mark, &painter);
@@ -95,16 +94,6 @@ static void draw_panel(FILE *out, const Walkthrough *walk, SvgDirection directio
 }
 
 /* --- The sheet --- */
-
-/* Text with the characters that mean something to XML put in their own words. */
-static void print_escaped(FILE *out, const char *text)
-{
-    for (; *text; text++)
-        if (*text == '&' || *text == '<' || *text == '>' || *text == '\'' || *text == '"')
-            fprintf(out, "&#%d;", *text);
-        else
-            fputc(*text, out);
-}
 
 static int count_captions(const Walkthrough *walk)
 {
@@ -121,19 +110,12 @@ static void draw_head(FILE *out, const Walkthrough *walk)
 {
     const unsigned char *rgb = walk->events[walk->count - 1].as.pixel.rgb;
     int height = CAPTIONS_TOP + CAPTION_HEIGHT * count_captions(walk) + 4;
-    fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' viewBox='0 0 %d %d'>\n<title>", WIDTH,
-            height, WIDTH, height);
-    fprintf(out, "Pixel (%d, %d)</title>\n", walk->request.column, walk->request.row);
-    fprintf(out, "<style>\ntext{font:13px 'DejaVu Sans',Verdana,sans-serif;fill:#333}\n"
-                 ".big{font-size:18px;font-weight:bold}.title{font-weight:bold}.tick{font-size:11px;fill:#777}\n"
-                 ".label{font-weight:bold;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}\n"
-                 "path{fill:none}.paper{fill:#fff}.frame{fill:none;stroke:#999}.grid{stroke:#eee}\n"
-                 ".face{fill:#8899aa;fill-opacity:.07;stroke:#8899aa;stroke-opacity:.6}\n"
-                 ".hit{fill:#3a9a5b;fill-opacity:.18;stroke:#3a9a5b;stroke-width:1.5}\n"
+    svg_sheet_begin(out, WIDTH, height, ink_text("Pixel (%d, %d)", walk->request.column, walk->request.row).text);
+    fprintf(out, "<style>\n.hit{fill:#3a9a5b;fill-opacity:.18;stroke:#3a9a5b;stroke-width:1.5}\n"
                  ".blocker{fill:#c0392b;fill-opacity:.15;stroke:#c0392b;stroke-width:1.5}\n");
     for (int k = LINE_PRIMARY; k < LINE_SHIFT; k++)
         fprintf(out, ".%s{stroke:%s;stroke-width:%s}\n", strokes[k].name, strokes[k].colour, strokes[k].width);
-    fprintf(out, "</style>\n<rect width='%d' height='%d' fill='#fafafa'/>\n", WIDTH, height);
+    fprintf(out, "</style>\n");
     static const WalkthroughLineKind tipped[] = {LINE_PRIMARY, LINE_REFLECTED, LINE_NORMAL};
     for (int k = 0; k < 3; k++)
         fprintf(out,
@@ -141,7 +123,7 @@ static void draw_head(FILE *out, const Walkthrough *walk)
                 "orient='auto'><path d='M0 0L10 5L0 10z' style='fill:%s'/></marker>\n",
                 k + 1, strokes[tipped[k]].colour);
     fprintf(out, "<text class='big' x='60' y='40'>Pixel (%d, %d) of ", walk->request.column, walk->request.row);
-    print_escaped(out, ink_name(walk->scene_name, 50).text);
+    svg_text(out, ink_name(walk->scene_name, 50).text);
     fprintf(out, "</text>\n<text x='1050' y='40' text-anchor='end'>(%d, %d, %d)</text>\n", rgb[0], rgb[1], rgb[2]);
     fprintf(out, "<rect x='1058' y='24' width='22' height='22' stroke='#999' fill='rgb(%d,%d,%d)'/>\n", rgb[0], rgb[1],
             rgb[2]);
@@ -176,9 +158,9 @@ static void draw_captions(FILE *out, const Walkthrough *walk)
         InkText text = ink_text("P%d", walkthrough_hit_number(&place));
         fprintf(out, "<text x='60' y='%d'>%s: face %d, ", CAPTIONS_TOP + CAPTION_HEIGHT * lines++, text.text,
                 face->number);
-        print_escaped(out, ink_name(scene->objects[face->object].name, 40).text);
+        svg_text(out, ink_name(scene->objects[face->object].name, 40).text);
         fprintf(out, "/%d, of ", walkthrough_face_in_object(scene, event->as.hit.face));
-        print_escaped(out, ink_name(scene->materials[face->material].name, 40).text);
+        svg_text(out, ink_name(scene->materials[face->material].name, 40).text);
         fprintf(out, ", with weight %s</text>\n", ink_number(place.weight, 6).text);
     }
     if (scene->face_count > FACES_MAX)

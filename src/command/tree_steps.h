@@ -1,0 +1,10 @@
+/* How a tree is built, as text. */
+#ifndef RECTRAY_TREE_STEPS_H
+#define RECTRAY_TREE_STEPS_H
+
+#include "trace/accel.h"
+
+/* Prints the first `count` nodes, level by level, each with the planes that were tried and what each would cost. */
+bool tree_steps_print(const Scene *scene, const Accel *accel, int count, Error *error);
+
+#endif

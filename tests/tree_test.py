@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""`rectray tree` from outside: its table is what its drawing has, its steps name the plane that the walkthrough meets,
+and docs/trees.md quotes what the program prints."""
+import json
+import os
+import re
+import shlex
+import subprocess
+import unittest
+import xml.etree.ElementTree
+
+from support.program import PROGRAM, CommandTest
+
+HERE = os.getcwd()
+GALLERY = os.path.join(HERE, "scenes/gallery.json")
+ORIGINAL = os.path.join(HERE, "scenes/original.json")
+
+
+def rows_of(text):
+    """The rows of the table, by their labels: the values of the trees."""
+    rows = {}
+    for line in text.splitlines():
+        match = re.match(r"\s*(.*?)\s{2,}([\d.]+)(?:\s+([\d.]+))?(?: \w+)?$", line)
+        if match:
+            rows[match[1]] = [float(value) for value in match.groups()[1:] if value]
+    return rows
+
+
+class Table(CommandTest):
+    def test_it_counts_the_boxes_that_the_model_has(self):
+        both = rows_of(self.run_program("tree", GALLERY)[0].decode())
+        for k, accel in enumerate(("kdtree", "bvh")):
+            one = rows_of(self.run_program("tree", GALLERY, "--accel", accel)[0].decode())
+            for label, values in one.items():
+                if label != "building it took":
+                    self.assertEqual(values, [both[label][k]], label)
+            self.run_program("tree", GALLERY, "-a", accel, "-o", "tree.obj")
+            model = self.bytes_of("tree.obj").decode()
+            levels = [int(level) for level in re.findall(r"(?m)^g level_(\d+)$", model)]
+            self.assertEqual(len(levels), one["nodes"][0])
+            self.assertEqual(max(levels), one["depth"][0])
+            self.assertEqual(model.count(", a leaf"), one["leaves"][0])
+            self.assertEqual(one["nodes"][0], 2 * one["leaves"][0] - 1)
+            sizes = {int(label): values[0] for label, values in one.items() if label.isdigit()}
+            self.assertEqual(sum(sizes.values()), one["leaves"][0])
+            self.assertEqual(sum(size * count for size, count in sizes.items()), one["faces in leaves"][0])
+        self.assertEqual(both["faces in leaves"][1], 572)
+        self.assertGreater(both["faces in leaves"][0], 572)
+
+    def test_the_expected_numbers_are_those_of_the_surfaces(self):
+        """The sums over the boxes of the model, each with the chance that a line through the first one meets it."""
+        for accel, step in (("kdtree", 1), ("bvh", 0.5)):
+            table = rows_of(self.run_program("tree", GALLERY, "--accel", accel)[0].decode())
+            self.run_program("tree", GALLERY, "-a", accel, "-o", "tree.obj")
+            areas, leaves = [], []
+            for group in self.bytes_of("tree.obj").decode().split("\ng level_")[1:]:
+                corners = [[float(x) for x in line.split()[1:]] for line in group.splitlines() if line.startswith("v ")]
+                x, y, z = (abs(b - a) for a, b in zip(corners[0], corners[7]))
+                areas.append(x * y + y * z + z * x)
+                leaves.append(", a leaf" in group)
+            chances = [area / areas[0] for area in areas]
+            self.assertAlmostEqual(sum(chances), table["nodes met"][0], 2)
+            inner = step * sum(chance for chance, leaf in zip(chances, leaves) if not leaf)
+            self.assertAlmostEqual(inner + table["faces tested"][0], table["SAH cost, in face tests"][0], 1)
+
+    def test_what_cannot_be_is_refused(self):
+        for message, *words in (("expected kdtree or bvh", "--accel", "none"),
+                                ("ends in .svg or .obj", "-o", "tree.png"),
+                                ("a whole number from 1 to 1000", "--step", "0")):
+            self.assertIn(message, self.run_program("tree", GALLERY, *words, status=2)[1])
+        self.put("scene.svg", self.bytes_of("scene.json").decode())
+        self.assertIn("would replace the scene", self.run_program("tree", "scene.svg", "-o", "scene.svg", status=2)[1])
+        empty = json.loads(self.bytes_of("scene.json"))
+        empty["objects"] = []
+        self.put("empty.json", json.dumps(empty))
+        self.assertIn("no tree", self.run_program("tree", "empty.json", status=1)[1])
+
+
+class Steps(CommandTest):
+    def test_the_cheapest_plane_is_the_one_that_cuts(self):
+        for accel in ("kdtree", "bvh"):
+            out = self.run_program("tree", GALLERY, "-a", accel, "--step", "40")[0].decode()
+            steps = out.split("Step ")[1:]
+            self.assertEqual(len(steps), 40)
+            for step in steps:
+                faces = int(re.search(r": (\d+) face", step)[1])
+                tried = re.findall(r"(?m)^ +(\S+) +(\d+) +(\d+) +(\S+)( +cheapest)?$", step)
+                cheapest = [row for row in tried if row[4]]
+                self.assertLessEqual(len(cheapest), 1)
+                for row in tried:
+                    self.assertGreaterEqual(int(row[1]) + int(row[2]), faces)
+                    self.assertGreaterEqual(float(row[3]), float(cheapest[0][3]))
+                split = re.search(r"into node \d+ \((\d+) faces?\) and node \d+ \((\d+) faces?\)", step)
+                if split and "set apart" not in step:
+                    self.assertEqual(split.groups(), cheapest[0][1:3])
+                elif not split:
+                    self.assertIn("becomes a leaf", step)
+            if accel == "kdtree":
+                plane = re.search(r"Cut by the plane ([xyz]) = (\S+),", steps[0])
+                text = self.run_program("trace", GALLERY, "--pixel", "9,9", "-a", accel, "-v")[0].decode()
+                self.assertIn(f"cut by {plane[1]} = {plane[2]} at", " ".join(text.split()))
+
+
+class Drawing(CommandTest):
+    def test_the_svg_is_well_formed_and_has_a_rectangle_for_each_node(self):
+        nodes = rows_of(self.run_program("tree", ORIGINAL, "-a", "bvh")[0].decode())["nodes"][0]
+        self.run_program("tree", ORIGINAL, "-a", "bvh", "-o", "tree.svg")
+        root = xml.etree.ElementTree.fromstring(self.bytes_of("tree.svg"))
+        boxes = [e for e in root.iter("{http://www.w3.org/2000/svg}rect") if e.get("class", "").startswith("level")]
+        self.assertEqual(len(boxes), 2 * nodes)
+
+
+class Chapter(unittest.TestCase):
+    """In docs/trees.md a block after "```console" holds a command, and the block after it lines of what it prints."""
+
+    def test_its_numbers_are_the_program_s(self):
+        with open("docs/trees.md", encoding="utf-8") as file:
+            page = file.read()
+        blocks = re.findall(r"^```console\n\$ ([^\n]*)\n```\n+```text\n(.*?)^```", page, re.M | re.S)
+        self.assertGreater(len(blocks), 3)
+        for command, shown in blocks:
+            words = shlex.split(command)
+            printed = subprocess.run([PROGRAM, *words[1:]], capture_output=True, encoding="utf-8", check=True).stdout
+            for line in shown.splitlines():
+                if line != "..." and " ms" not in line:
+                    with self.subTest(command):
+                        self.assertIn(line, printed.splitlines())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
