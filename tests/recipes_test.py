@@ -91,12 +91,16 @@ class MaterialProperty(Recipe):
         self.each(self.fields, "src/scene/light.c and src/trace/reference.c",
                   read("src/scene/light.c") + read("src/trace/reference.c"), r"material->{}\b")
 
+    def test_the_textbook_uses_each(self):
+        self.each(self.fields, "src/trace/textbook.c", read("src/trace/textbook.c"), r"(material->|\]\.){}\b")
+
     def test_each_has_a_column_on_the_device(self):
         packed = body("src/opencl/device_scene.c", "pack_material")
         self.each(self.fields, "pack_material", packed, r"material->{}\b")
         columns = set(re.findall(r"\bMATERIAL_[A-Z]+", read("kernels/shared/layout.h"))) - {"MATERIAL_REALS"}
         self.each(columns, "pack_material", packed)
-        self.each(columns, "the kernels", read_all("kernels/**/*.cl"))
+        self.each(columns, "kernels/plain.cl", read("kernels/plain.cl"))
+        self.each(columns, "the fast kernels", read_all("kernels/packet/*.cl", "kernels/tile/*.cl"))
 
     def test_columns_do_not_overlap(self):
         columns = re.findall(r"MATERIAL_(\w+) = (\d+)", read("kernels/shared/layout.h"))
@@ -203,6 +207,14 @@ class KernelFile(Recipe):
     def test_each_root_is_expanded_by_a_suite(self):
         roots = re.search(r"ROOTS\[\] = \{(.*?)\}", read("tests/test_opencl_sources.c"), re.S)[1]
         self.assertEqual(set(re.findall(r'"(.*?)"', roots)), self.roots)
+
+
+class SkippedWork(Recipe):
+    def setUp(self):
+        self.names = set(re.findall(r'\[SKIP_\w+\] = \{"(\w+)"', read("src/trace/skip.c")))
+
+    def test_the_page_tells_of_each(self):
+        self.each(self.names, "docs/commands.md", read("docs/commands.md"), r"(?m)^\| `{}` \|")
 
 
 class Fuzzer(Recipe):
