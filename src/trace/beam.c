@@ -82,11 +82,11 @@ static Range range_of(const Beam *beam, Vec3 w)
 BeamPlane beam_plane(const Beam *beam, const Face *face, const Plane *plane)
 {
     Vec3 x = vec3_sub(beam->apex, face_vertex(face, 0));
-    double height = vec3_dot(plane->normal, x), doubt = BEAM_SLACK * (beam->size + vec3_magnitudes(x));
-    if (fabs(height) <= doubt)
+    double height = vec3_dot(plane->normal, x), slack = BEAM_SLACK * (beam->size + vec3_magnitudes(x));
+    if (fabs(height) <= slack)
         return (BeamPlane){.error = HUGE_VAL, .side = beam->mirrored ? 0 : plane_side(face, plane, beam->apex)};
     Vec3 q = vec3_scale(1 / height, plane->normal);
-    return (BeamPlane){q, vec3_magnitudes(q) * (BEAM_SLACK + doubt / fabs(height)), height > 0 ? 1 : -1};
+    return (BeamPlane){q, vec3_magnitudes(q) * (BEAM_SLACK + slack / fabs(height)), height > 0 ? 1 : -1};
 }
 
 bool beam_is_farther(const Beam *beam, const BeamPlane *a, const BeamPlane *b)
@@ -109,8 +109,8 @@ static Edges edges_of(const Beam *beam, const Face *face)
         Vec3 p = vec3_sub(face_vertex(face, k), beam->apex);
         Vec3 e = vec3_sub(face_vertex(face, (k + 1) % face->vertex_count), face_vertex(face, k));
         Range range = range_of(beam, vec3_cross(p, e));
-        double doubt = BEAM_SLACK * (beam->size + vec3_magnitudes(p)) * vec3_magnitudes(e) * beam->length;
-        bool left = range.low > doubt, right = range.high < -doubt;
+        double error = BEAM_SLACK * (beam->size + vec3_magnitudes(p)) * vec3_magnitudes(e) * beam->length;
+        bool left = range.low > error, right = range.high < -error;
         edges.some_left |= left;
         edges.some_right |= right;
         edges.all_left &= left;
@@ -119,10 +119,10 @@ static Edges edges_of(const Beam *beam, const Face *face)
     return edges;
 }
 
-/* Where a corner p of a face is in the beam's own terms, p = l
- * (c + a u + b v): l det(u, v, c) = det(u, v, p), and so on. */
+/* Where a corner p of a face is in the beam's own terms: p = l (c + a u + b v). Hence l det(u, v, c) = det(u, v, p),
+ * and so on. error: of each of the three. */
 typedef struct Corner {
-    double l, la, lb, doubt;
+    double l, la, lb, error;
 } Corner;
 
 /* Is the whole face on the outer side of a plane l a = m l with m >= 1? For m = 1 that is the side a = 1 of the beam
@@ -132,8 +132,8 @@ static bool is_beyond(const Corner *corners, int count, bool is_a, double sign)
 {
     double low = 0, high = HUGE_VAL; /* of m, by the corners behind and before the apex */
     for (int k = 0; k < count; k++) {
-        double outward = sign * (is_a ? corners[k].la : corners[k].lb) - corners[k].doubt;
-        double forward = corners[k].l + corners[k].doubt, m = outward / forward;
+        double outward = sign * (is_a ? corners[k].la : corners[k].lb) - corners[k].error;
+        double forward = corners[k].l + corners[k].error, m = outward / forward;
         if (forward >= 0 && !(outward > forward))
             return false;
         if (forward < 0)
@@ -154,7 +154,7 @@ static bool beside(const Beam *beam, const Face *face)
         corners[k].l = sign * vec3_dot(uv, p);
         corners[k].la = sign * vec3_dot(vec3_cross(p, beam->v), beam->c);
         corners[k].lb = sign * vec3_dot(vec3_cross(beam->u, p), beam->c);
-        corners[k].doubt = BEAM_SLACK * (beam->size + vec3_magnitudes(p)) * beam->width * beam->length;
+        corners[k].error = BEAM_SLACK * (beam->size + vec3_magnitudes(p)) * beam->width * beam->length;
     }
     int count = face->vertex_count;
     return is_beyond(corners, count, true, 1) || is_beyond(corners, count, true, -1) ||

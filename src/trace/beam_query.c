@@ -10,10 +10,10 @@ static bool is_on_side(const Face *face, const Face *of, const Plane *plane, int
     bool off = false;
     for (int k = 0; k < face->vertex_count; k++) {
         Vec3 x = vec3_sub(face_vertex(face, k), face_vertex(of, 0));
-        double height = side * vec3_dot(plane->normal, x), doubt = BEAM_SLACK * vec3_magnitudes(x);
-        if (height < -doubt)
+        double height = side * vec3_dot(plane->normal, x), slack = BEAM_SLACK * vec3_magnitudes(x);
+        if (height < -slack)
             return false;
-        off |= height > doubt;
+        off |= height > slack;
     }
     return off;
 }
