@@ -1,5 +1,7 @@
 /* The plain kernel: one ray per work-item, the steps of docs/algorithm.md in their order, with the names of
  * src/trace/reference.c. Read it first. The kernels in packet/ and tile/ do the same for many rays at once.
+ * A work-item is one call of `render`, at the end. `global` and `constant` data lies in the memory of the device.
+ * `real` and `wide` are float or double (shared/precision.cl), real3 and wide3 are three of them: x, y, z.
  * The host chooses two files: ARITHMETIC, how a ray is tested against a face (steps 3, 4 and 6), is
  * plain/exact_arithmetic.cl or plain/textbook_arithmetic.cl; PLAIN_TREE, which faces are tested, is plain/all_faces.cl,
  * plain/bvh.cl or plain/kdtree.cl. */

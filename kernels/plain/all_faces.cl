@@ -1,5 +1,5 @@
 /* No tree: every face is tested, in the order of the file. */
-#include "shared/layout.h"
+#include "shared/precision.cl"
 #include "plain/scene.cl"
 
 typedef struct Traversal {

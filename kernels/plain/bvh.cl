@@ -3,6 +3,7 @@
  * their boxes (low x of each, high x of each, low y, ...), tree_ints the children themselves: NO_CHILD, another node's
  * number, or a LEAF of layout.h. On the device the faces stand in the order of the leaves. */
 #include "shared/layout.h"
+#include "shared/precision.cl"
 #include "plain/scene.cl"
 #include "plain/box.cl"
 

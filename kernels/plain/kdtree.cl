@@ -2,6 +2,7 @@
  * its high side. tree_floats holds the sides of the whole tree's box (low x, high x, low y, ...), then the plane of
  * each node. tree_ints holds the place of the list of faces, then KD_INTS numbers for each node, then that list. */
 #include "shared/layout.h"
+#include "shared/precision.cl"
 #include "plain/scene.cl"
 #include "plain/box.cl"
 
