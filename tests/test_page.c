@@ -22,7 +22,7 @@ int page_bytes(int column, int row, int arithmetic);
 double page_value(int which);
 const unsigned char *page_rows(int first, int count, int step);
 const unsigned char *page_map(int kind);
-const char *page_trace(int column, int row, int sample, int format, int flags);
+const char *page_trace(int column, int row, int sample, int format, int flags, int columns);
 const float *page_numbers(void);
 int page_faces(void);
 int page_places(void);
@@ -47,7 +47,7 @@ static void page_open_should_keep_the_scene_before_a_wrong_one(void)
     TEST_ASSERT_FALSE(page_open("tests/scenes/bad/empty.json"));
     TEST_ASSERT_EQUAL_STRING_LEN("tests/scenes/bad/empty.json:1:1: ", page_error(), 33);
     TEST_ASSERT_EQUAL_DOUBLE(80, page_value(COLUMNS));
-    TEST_ASSERT_NOT_NULL(page_trace(0, 0, 0, 0, 0));
+    TEST_ASSERT_NOT_NULL(page_trace(0, 0, 0, 0, 0, 0));
 }
 
 static void page_values_should_describe_the_scene(void)
@@ -104,12 +104,14 @@ static void map_of_rays_should_have_a_scale(void)
 
 static void steps_should_hold_all_of_the_text(void)
 {
-    char *text = strdup(page_trace(40, 36, 0, 0, 0));
-    const char *steps = page_trace(40, 36, 0, 4, 0);
+    char *text = strdup(page_trace(40, 36, 0, 0, 0, 0));
+    const char *steps = page_trace(40, 36, 0, 4, 0, 0);
     TEST_ASSERT_EQUAL_INT((int)strlen(steps), (int)page_value(LENGTH));
     cJSON *json = cJSON_Parse(steps), *step;
-    size_t length = strlen(cJSON_GetObjectItem(json, "head")->valuestring);
-    TEST_ASSERT_EQUAL_STRING_LEN(text, cJSON_GetObjectItem(json, "head")->valuestring, length);
+    /* The summary is not among the steps. */
+    const char *head = strstr(cJSON_GetObjectItem(json, "head")->valuestring, "Step by step");
+    size_t length = (size_t)(strstr(text, "Step by step") - text) + strlen(head);
+    TEST_ASSERT_EQUAL_STRING_LEN(strstr(text, "Step by step"), head, strlen(head));
     int number = 0;
     cJSON_ArrayForEach(step, cJSON_GetObjectItem(json, "steps"))
     {
@@ -128,17 +130,17 @@ static void steps_should_hold_all_of_the_text(void)
 static void every_format_should_be_written(void)
 {
     for (int format = 0; format <= 4; format++)
-        TEST_ASSERT_NOT_NULL(page_trace(40, 36, 0, format, 3));
+        TEST_ASSERT_NOT_NULL(page_trace(40, 36, 0, format, 3, 0));
 }
 
 static void answer_should_name_what_blocks_a_light(void)
 {
     TEST_ASSERT_TRUE(page_open("scenes/gallery.json"));
     page_set(640, 360, 1, 0, 0);
-    cJSON *json = cJSON_Parse(page_trace(450, 190, 0, 4, 0));
+    cJSON *json = cJSON_Parse(page_trace(450, 190, 0, 4, 0, 0));
     const cJSON *hits = cJSON_GetObjectItem(json, "hits"), *third = cJSON_GetArrayItem(hits, 2);
     TEST_ASSERT_EQUAL_INT(4, cJSON_GetArraySize(hits));
-    TEST_ASSERT_EQUAL_STRING("mirror", cJSON_GetObjectItem(cJSON_GetArrayItem(hits, 0), "face")->valuestring);
+    TEST_ASSERT_EQUAL_STRING("mirror/0", cJSON_GetObjectItem(cJSON_GetArrayItem(hits, 0), "face")->valuestring);
     TEST_ASSERT_EQUAL_STRING("star/21", cJSON_GetObjectItem(third, "face")->valuestring);
     const cJSON *light = cJSON_GetArrayItem(cJSON_GetObjectItem(third, "lights"), 0);
     TEST_ASSERT_EQUAL_STRING("blocked", cJSON_GetObjectItem(light, "verdict")->valuestring);
@@ -183,7 +185,7 @@ static void tested_faces_should_be_all_but_the_one_that_the_ray_leaves(void)
 
 static void names_should_be_the_walkthroughs(void)
 {
-    TEST_ASSERT_NOT_NULL(strstr(page_trace(40, 36, 0, 0, 1), page_face_name(0)));
+    TEST_ASSERT_NOT_NULL(strstr(page_trace(40, 36, 0, 0, 1, 0), page_face_name(0)));
     TEST_ASSERT_EQUAL_STRING("outside", page_verdict(FACE_OUTSIDE));
     TEST_ASSERT_EQUAL_STRING("", page_verdict(-1));
 }

@@ -52,13 +52,25 @@ void json_node_vector(JsonNode node, const char *name, Vec3 v)
     json_node_append_number(array, v.z);
 }
 
-void json_node_text(JsonNode node, const char *name, const char *text)
+/* In UTF-8; NULL without memory. */
+static cJSON *string_of(const char *text)
 {
     char *copy = strdup(text);
     if (copy)
         text_make_utf8(copy);
-    put(node, name, copy ? cJSON_CreateString(copy) : NULL);
+    cJSON *item = copy ? cJSON_CreateString(copy) : NULL;
     free(copy);
+    return item;
+}
+
+void json_node_text(JsonNode node, const char *name, const char *text)
+{
+    put(node, name, string_of(text));
+}
+
+void json_node_append_text(JsonNode array, const char *text)
+{
+    append(array, string_of(text));
 }
 
 void json_node_bool(JsonNode node, const char *name, bool value)

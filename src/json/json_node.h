@@ -28,6 +28,7 @@ JsonNode json_node_array(JsonNode node, const char *name);
 
 /* The next element of an array. */
 void json_node_append_number(JsonNode array, double x);
+void json_node_append_text(JsonNode array, const char *text);
 void json_node_append_vector(JsonNode array, Vec3 v);
 JsonNode json_node_append_object(JsonNode array);
 

@@ -9,10 +9,16 @@ function lightChip(light) {
     const by = light.blocker ? ` by ${light.blocker}` : '';
     return element(
         'li',
-        {class: 'light ' + light.verdict.replace(' ', '-'), title: light.words},
+        {class: 'light ' + light.verdict.replace(' ', '-')},
         element('span', {'aria-hidden': 'true'}, VERDICT_SIGNS[light.verdict] + ' '),
         `light ${light.light} ${light.verdict}${by}`,
     );
+}
+
+// Many lights are told in the program's own sentence.
+function lightsOf(hit) {
+    if (hit.lights.length > 8) return element('p', {class: 'lights'}, hit.lights_words);
+    return element('ul', {class: 'lights', 'aria-label': hit.lights_words}, ...hit.lights.map(lightChip));
 }
 
 // A bar as long as the brightest of the three numbers, in their colour.
@@ -41,7 +47,7 @@ function hitItem(hit) {
             contributionBar(hit.contribution),
             element('code', {}, hit.words),
         ),
-        element('ul', {class: 'lights'}, ...hit.lights.map(lightChip)),
+        lightsOf(hit),
     );
 }
 
@@ -73,8 +79,7 @@ function byteBars(rgb) {
 }
 
 function pathWords(walk) {
-    const names = [...walk.hits.map(hit => hit.face), ...(walk.background ? ['background'] : [])];
-    return names.flatMap((name, k) => (k ? [element('span', {class: 'arrow'}, ' → '), name] : [name]));
+    return walk.path.flatMap((name, k) => (k ? [element('span', {class: 'arrow'}, ' → '), name] : [name]));
 }
 
 function showAnswer() {

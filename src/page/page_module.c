@@ -20,7 +20,7 @@ PAGE_EXPORT(page_bytes) int page_bytes(int column, int row, int arithmetic);
 PAGE_EXPORT(page_value) double page_value(int which);
 PAGE_EXPORT(page_rows) const unsigned char *page_rows(int first, int count, int step);
 PAGE_EXPORT(page_map) const unsigned char *page_map(int kind);
-PAGE_EXPORT(page_trace) const char *page_trace(int column, int row, int sample, int format, int flags);
+PAGE_EXPORT(page_trace) const char *page_trace(int column, int row, int sample, int format, int flags, int columns);
 PAGE_EXPORT(page_numbers) const float *page_numbers(void);
 PAGE_EXPORT(page_faces) int page_faces(void);
 PAGE_EXPORT(page_places) int page_places(void);
@@ -115,8 +115,9 @@ static WalkthroughRequest request_of(int column, int row, int sample)
     return (WalkthroughRequest){.column = column, .row = row, .i = sample % n, .j = sample / n};
 }
 
-/* format: 0 text, 1 JSON, 2 OBJ, 3 SVG, 4 an answer and steps. flags: 1 verbose, 2 colour. */
-const char *page_trace(int column, int row, int sample, int format, int flags)
+/* format: 0 text, 1 JSON, 2 OBJ, 3 SVG, 4 an answer and steps. flags: 1 verbose, 2 colour. columns: of a line; 0: the
+ * usual. */
+const char *page_trace(int column, int row, int sample, int format, int flags, int columns)
 {
     static WalkthroughWriter *const writers[] = {walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj,
                                                  walkthrough_write_svg, walkthrough_write_steps};
@@ -127,8 +128,11 @@ const char *page_trace(int column, int row, int sample, int format, int flags)
     page.text = NULL;
     page.error = (Error){.kind = ERROR_NONE};
     FILE *out = open_memstream(&page.text, &page.text_length);
+    WalkthroughStyle style = {.colour = flags & 2 ? INK_TRUE : INK_PLAIN, .columns = columns};
+    bool around = format <= 1; /* only the text and the JSON tell it */
     bool done = out && walkthrough_record(&walk, &page.scene, NULL, page.path, request, &page.error) &&
-                writers[format](out, &walk, (WalkthroughStyle){.colour = (flags & 2) != 0}, &page.error);
+                (!around || walkthrough_look_around(&walk, &page.error)) &&
+                writers[format](out, &walk, style, &page.error);
     walkthrough_free(&walk);
     done = out && fclose(out) == 0 && done;
     return done ? page.text : NULL;

@@ -86,8 +86,10 @@ function choosePixel(column, row) {
     announce('pixel');
 }
 
+// Its lines are as wide as their column is, where letters are as small as they may be.
 function readWalk([column, row]) {
-    return JSON.parse(page.tracer.trace(column, row, 'steps', {colour: true, verbose: page.verbose}));
+    const style = {colour: true, verbose: page.verbose, columns: columnsOfText()};
+    return JSON.parse(page.tracer.trace(column, row, 'steps', style));
 }
 
 function goToStep(step) {

@@ -40,8 +40,18 @@ function stepFold(step) {
     return fold;
 }
 
+// 80 to 100, as the program's lines may be.
+function columnsOfText() {
+    const columns = Math.max(80, Math.min(100, Math.floor($('steps').clientWidth / 7.25)));
+    document.body.style.setProperty('--columns', columns);
+    return columns;
+}
+
+// The heading of the steps is the page's own.
+const headText = walk => walk.head.replace(/\n.*Step by step.*\n+/, '').trimEnd();
+
 function showSteps() {
-    $('head').replaceChildren(inked(page.walk.head.trimEnd()));
+    $('head').replaceChildren(inked(headText(page.walk)));
     const opened = new Set(
         [...$('steps').querySelectorAll('details[open]')].map(fold => Number(fold.dataset.number)),
     );
@@ -81,5 +91,10 @@ $('verbose').addEventListener('change', () => {
     page.verbose = $('verbose').checked;
     if (page.pixel) choosePixel(...page.pixel);
 });
+let columns = 0;
+new ResizeObserver(() => {
+    if (page.pixel && columns && columnsOfText() !== columns) choosePixel(...page.pixel);
+    columns = columnsOfText();
+}).observe($('steps'));
 on('pixel', showSteps);
 on('step', showStep);

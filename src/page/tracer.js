@@ -149,9 +149,10 @@ class Tracer {
         return this.pixelsAt(this.c.page_map(kind), this.value('rows'));
     }
 
-    trace(column, row, format = 'text', {sample = 0, verbose = false, colour = false} = {}) {
+    trace(column, row, format = 'text', {sample = 0, verbose = false, colour = false, columns = 0} = {}) {
         const number = ['text', 'json', 'obj', 'svg', 'steps'].indexOf(format);
-        const at = this.c.page_trace(column, row, sample, number, (verbose ? 1 : 0) + (colour ? 2 : 0));
+        const flags = (verbose ? 1 : 0) + (colour ? 2 : 0);
+        const at = this.c.page_trace(column, row, sample, number, flags, columns);
         if (!at) this.fail();
         return new TextDecoder().decode(new Uint8Array(this.c.memory.buffer, at, this.value('length')));
     }

@@ -2,6 +2,8 @@
  * once: the path, what each hit adds, which lights reach it, why the path ended. Then the text, cut into its steps. */
 #include "walkthrough/walkthrough_formats.h"
 
+#include "walkthrough/walkthrough_summary.h"
+#include "walkthrough/walkthrough_summary_lights.h"
 #include "walkthrough/walkthrough_words.h"
 #include "json/json_node.h"
 
@@ -103,39 +105,26 @@ static void put_steps(JsonNode node, const Walkthrough *walk, WalkthroughStyle s
 
 /* --- The answer --- */
 
-/* "star/32"; a face that is all of its object needs no number. */
-static InkText name_of(const Scene *scene, int face)
+/* What the path meets, one after the other, in the words of the text's summary. */
+static void put_path(JsonNode node, const Summary *summary)
 {
-    const Object *object = &scene->objects[scene->faces[face].object];
-    return object->face_count == 1 ? ink_name(object->name, 40) : walkthrough_face_words(scene, face, 40);
+    JsonNode path = json_node_array(node, "path");
+    json_node_append_text(path, "camera");
+    for (int i = 0; i < summary->hit_count; i++) {
+        InkText face = walkthrough_face_words(summary->walk->scene, summary->hits[i].face, 40);
+        json_node_append_text(path, ink_text("P%d %s", i + 1, face.text).text);
+    }
+    if (summary->missed)
+        json_node_append_text(path, "out of the scene");
 }
 
-typedef struct Answer {
-    const Walkthrough *walk;
-    JsonNode node, hits, hit, lights;
-    WalkthroughPlace place;
-} Answer;
-
-static void put_hit(Answer *answer, const Event *event)
+static void put_light(JsonNode lights, const Scene *scene, const SummaryLight *light)
 {
-    const Scene *scene = answer->walk->scene;
-    int face = event->as.hit.face;
-    answer->hit = json_node_append_object(answer->hits);
-    json_node_text(answer->hit, "name", ink_text("P%d", event->as.hit.step + 1).text);
-    json_node_text(answer->hit, "face", name_of(scene, face).text);
-    json_node_text(answer->hit, "material", scene->materials[scene->faces[face].material].name);
-    json_node_number(answer->hit, "index", face);
-    answer->lights = json_node_array(answer->hit, "lights");
-}
-
-static void put_light(const Answer *answer, const Event *event)
-{
-    JsonNode light = json_node_append_object(answer->lights);
-    json_node_number(light, "light", event->as.light_end.light);
-    json_node_text(light, "verdict", walkthrough_light_verdicts[event->as.light_end.verdict]);
-    json_node_text(light, "words", walkthrough_light_words(answer->walk, &answer->place, event).text);
-    if (event->as.light_end.verdict == LIGHT_BLOCKED)
-        json_node_text(light, "blocker", name_of(answer->walk->scene, event->as.light_end.blocker).text);
+    JsonNode node = json_node_append_object(lights);
+    json_node_number(node, "light", light->light);
+    json_node_text(node, "verdict", walkthrough_light_verdicts[light->verdict]);
+    if (light->verdict == LIGHT_BLOCKED)
+        json_node_text(node, "blocker", walkthrough_face_words(scene, light->blocker, 40).text);
 }
 
 static void put_contribution(JsonNode node, double weight, Vec3 contribution)
@@ -145,57 +134,47 @@ static void put_contribution(JsonNode node, double weight, Vec3 contribution)
     json_node_text(node, "words", ink_vector(contribution, INK_DIGITS).text);
 }
 
-static void put_pixel(const Answer *answer, const Event *event)
+static void put_hit(JsonNode hits, const Summary *summary, int index)
 {
-    const unsigned char *rgb = event->as.pixel.rgb;
-    json_node_text(answer->node, "pixel", walkthrough_pixel_words(answer->walk, event).text);
-    json_node_vector(answer->node, "rgb", vec3(rgb[0], rgb[1], rgb[2]));
-    json_node_number(answer->node, "samples", event->as.pixel.samples);
+    const Scene *scene = summary->walk->scene;
+    const SummaryHit *hit = &summary->hits[index];
+    JsonNode node = json_node_append_object(hits);
+    json_node_text(node, "name", ink_text("P%d", index + 1).text);
+    json_node_text(node, "face", walkthrough_face_words(scene, hit->face, 40).text);
+    json_node_text(node, "material", scene->materials[scene->faces[hit->face].material].name);
+    put_contribution(node, hit->weight, hit->contribution);
+    json_node_text(node, "lights_words", walkthrough_summary_lights(summary, hit, INK_MOST_COLUMNS).text);
+    JsonNode lights = json_node_array(node, "lights");
+    for (int i = 0; i < scene->light_count; i++)
+        put_light(lights, scene, &hit->lights[i]);
 }
 
-static void put_event(Answer *answer, const Event *event)
+static void put_answer(JsonNode node, const Walkthrough *walk, Error *error)
 {
-    switch (event->kind) {
-    case EVENT_HIT:
-        put_hit(answer, event);
-        break;
-    case EVENT_LIGHT_END:
-        put_light(answer, event);
-        break;
-    case EVENT_SHADED:
-        put_contribution(answer->hit, event->as.shaded.weight, event->as.shaded.contribution);
-        break;
-    case EVENT_MISS:
-        put_contribution(json_node_object(answer->node, "background"), event->as.miss.weight,
-                         event->as.miss.weight_times_background);
-        break;
-    case EVENT_PATH_END:
-        json_node_text(answer->node, "end", walkthrough_end_words(answer->walk, &answer->place, event).text);
-        json_node_vector(answer->node, "sum", event->as.path_end.colour);
-        break;
-    default:
-        break;
+    Summary summary;
+    if (!summary_make(&summary, walk, error)) {
+        *node.failed = true;
+        return;
     }
-}
-
-static void put_answer(JsonNode node, const Walkthrough *walk)
-{
-    Answer answer = {.walk = walk, .node = node, .hits = json_node_array(node, "hits")};
-    for (long i = 0; i < walk->count && !*node.failed; i++) {
-        const Event *event = &walk->events[i];
-        walkthrough_follow(&answer.place, walk, event);
-        if (event->kind == EVENT_PIXEL)
-            put_pixel(&answer, event);
-        else if (answer.place.told)
-            put_event(&answer, event);
-    }
+    put_path(node, &summary);
+    JsonNode hits = json_node_array(node, "hits");
+    for (int i = 0; i < summary.hit_count; i++)
+        put_hit(hits, &summary, i);
+    if (summary.missed)
+        put_contribution(json_node_object(node, "background"), summary.background_weight, summary.background);
+    json_node_text(node, "end", ink_text("The path ends: %s.", summary.end.text).text);
+    json_node_vector(node, "sum", summary.colour);
+    json_node_text(node, "pixel", walkthrough_pixel_words(walk, &walk->events[walk->count - 1]).text);
+    json_node_vector(node, "rgb", vec3(summary.rgb[0], summary.rgb[1], summary.rgb[2]));
+    json_node_number(node, "samples", summary.samples);
+    summary_free(&summary);
 }
 
 bool walkthrough_write_steps(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
     bool failed = false;
     JsonNode node = json_node_new(&failed);
-    put_answer(node, walk);
+    put_answer(node, walk, error);
     put_steps(node, walk, style, error);
     char *text = failed ? NULL : cJSON_PrintUnformatted(node.object);
     if (text)
