@@ -157,12 +157,12 @@ static void add_counts(volatile global uint *totals, const Scene *scene)
 }
 
 /* A work-item is a pixel of the band of rows that this launch renders. */
-kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *rows,
+kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
                    global const wide *planes, global const real *materials, global const real *lights,
                    global const real *view, global uchar *picture, volatile global uint *totals,
                    global const float *tree_floats, global const int *tree_ints)
 {
-    Scene scene = {parameters, faces, rows, planes, materials, lights, view, tree_floats, tree_ints, {0}};
+    Scene scene = {parameters, faces, face_rows, planes, materials, lights, view, tree_floats, tree_ints, {0}};
     int pixel = (int)get_global_id(0), grid = parameters->grid;
     int column = pixel % parameters->columns, row = pixel / parameters->columns;
     if (row >= parameters->band_rows)

@@ -122,7 +122,7 @@ static void face_bits_should_bound_edges_and_warp(void)
     small_scene_material(&small, (Material){.reflection = 0});
     pack_random_faces(closed, COUNT, PRECISION_FLOAT);
     for (int i = 0; i < COUNT; i++) {
-        const float *row = floats(&packed.edges) + i * FACE_REALS;
+        const float *row = floats(&packed.face_rows) + i * FACE_REALS;
         uint32_t bits;
         memcpy(&bits, row + FACE_BITS, sizeof bits);
         const Face *face = &small.faces[i];
@@ -145,7 +145,7 @@ static void face_bits_should_tell_what_a_face_is(void)
     pack_random_faces(closed, COUNT, PRECISION_DOUBLE);
     for (int i = 0; i < COUNT; i++) {
         uint32_t bits;
-        memcpy(&bits, (const double *)packed.edges.data + i * FACE_REALS + FACE_BITS, sizeof bits);
+        memcpy(&bits, (const double *)packed.face_rows.data + i * FACE_REALS + FACE_BITS, sizeof bits);
         TEST_ASSERT_EQUAL_INT(i % 4 == 0, (bits & FACE_TRIANGLE) != 0);
         TEST_ASSERT_EQUAL_INT(i % 5 == 0, (bits & FACE_BACK_OPEN) != 0);
         TEST_ASSERT_EQUAL_INT(i % 7 == 0 && i % 5 != 0, (bits & FACE_BACK_INSIDE) != 0);
@@ -162,7 +162,7 @@ static void face_row_should_hold_the_vertices_as_they_are(void)
                           &error),
         error.text);
     const float expected[] = {6, 0, 1, 6, 0.1f, 3, 2, 0.1f, 0, -7, 3, 0};
-    TEST_ASSERT_EQUAL_FLOAT_ARRAY(expected, floats(&packed.edges) + FACE_VERTICES, 12);
+    TEST_ASSERT_EQUAL_FLOAT_ARRAY(expected, floats(&packed.face_rows) + FACE_VERTICES, 12);
 }
 
 static void double_rows_should_need_no_low_parts(void)

@@ -156,15 +156,15 @@ static void refine(const World *world, global uchar *rgb, global const int *list
 
 /* A work-item for a block of the band's tiles; where refine_count says that there are pixels to refine, one for PACKETS
  * of them. Both in one kernel, for tracing a path is the most of it, and takes the longest to compile. */
-kernel void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
-                            global const wide *planes, global const real *materials, global const real *lights,
-                            global const real *view, global uchar *rgb, volatile global uint *totals,
-                            global const float *tree_floats, global const int *tree_ints, global uchar *flags,
-                            global const int *list)
+kernel void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces,
+                            global const real *face_rows, global const wide *planes, global const real *materials,
+                            global const real *lights, global const real *view, global uchar *rgb,
+                            volatile global uint *totals, global const float *tree_floats, global const int *tree_ints,
+                            global uchar *flags, global const int *list)
 {
     uint counters[COUNTER_KINDS] = {0};
-    World world = {parameters, faces,       edges,     planes,  parameters->face_count, materials, lights,
-                   view,       tree_floats, tree_ints, counters};
+    World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights,
+                   view, tree_floats, tree_ints, counters};
     if (parameters->refine_count > 0) {
         refine(&world, rgb, list);
     } else {

@@ -70,7 +70,7 @@ INLINE bool misses_all(const World *world, const RayBounds *b)
 
 INLINE void fetch_leaf(const World *world, int leaf)
 {
-    fetch(world->edges + (size_t)LEAF_FIRST(leaf) * FACE_REALS, (uint)LEAF_COUNT(leaf) * FACE_REALS * sizeof(real));
+    fetch(world->face_rows + (size_t)LEAF_FIRST(leaf) * FACE_REALS, (uint)LEAF_COUNT(leaf) * FACE_REALS * sizeof(real));
 }
 
 INLINE void fetch_node(const World *world, int node)

@@ -6,7 +6,10 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-INLINE global const real *face_row(const World *world, int face) { return world->edges + (size_t)face * FACE_REALS; }
+INLINE global const real *face_row(const World *world, int face)
+{
+    return world->face_rows + (size_t)face * FACE_REALS;
+}
 
 INLINE Vec face_vertex(global const real *row, int k)
 {

@@ -98,13 +98,13 @@ INLINE void render_block(const World *world, const Apex *apex, const Camera *cam
 }
 
 /* One work-item per block of the band; surplus work-items do nothing. */
-kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
                    global const wide *planes, global const real *materials, global const real *lights,
                    global const real *view, global uchar *rgb, volatile global uint *totals,
                    global const float *tree_floats, global const int *tree_ints)
 {
     uint counters[COUNTER_KINDS] = {0};
-    World world = {parameters, faces, edges, planes, parameters->face_count, materials, lights,
+    World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights,
                    view, tree_floats, tree_ints, counters};
     Apex apex = apex_at_eye(&world);
     Camera camera = camera_of(&world);

@@ -9,8 +9,8 @@ typedef char ParametersHasTheHostsSize[sizeof(Parameters) == PARAMETERS_BYTES ? 
 typedef struct World {
     constant const Parameters *parameters;
     global const FaceRecord *faces;
-    global const real *edges;  /* face_count rows of FACE_REALS */
-    global const wide *planes; /* face_count rows of PLANE_REALS */
+    global const real *face_rows; /* face_count rows of FACE_REALS */
+    global const wide *planes;    /* face_count rows of PLANE_REALS */
     int face_count;
     global const real *materials, *lights, *view; /* NULL in `cast` */
     global const float *tree_floats; /* the tree: bvh.cl and kdtree.cl say what is in it */

@@ -21,7 +21,7 @@ typedef struct Hit {
 typedef struct Scene {
     constant const Parameters *parameters;
     global const FaceRecord *faces;
-    global const real *rows;                      /* of the faces, FACE_REALS each */
+    global const real *face_rows;                 /* FACE_REALS each */
     global const wide *planes;                    /* PLANE_REALS each */
     global const real *materials, *lights, *view; /* rows, too */
     global const float *tree_floats;              /* see bvh.cl and kdtree.cl */
@@ -34,7 +34,7 @@ static wide vec3_dot(wide3 a, wide3 b) { return a.x * b.x + a.y * b.y + a.z * b.
 
 static wide3 unit_or_zero(wide3 a) { return vec3_dot(a, a) > 0 ? a / sqrt(vec3_dot(a, a)) : a; }
 
-static global const real *face_row(const Scene *scene, int face) { return scene->rows + (size_t)face * FACE_REALS; }
+static global const real *face_row(const Scene *scene, int i) { return scene->face_rows + (size_t)i * FACE_REALS; }
 static global const wide *plane_row(const Scene *scene, int face) { return scene->planes + (size_t)face * PLANE_REALS; }
 
 static wide3 face_vertex(const Scene *scene, int face, int k)

@@ -121,7 +121,7 @@ static void pack_face(DeviceScene *packed, const Scene *scene, const unsigned ch
         record->box[2 * axis] = box.low[axis];
         record->box[2 * axis + 1] = box.high[axis];
     }
-    put_face(&packed->edges, (size_t)i * FACE_REALS, face, &scene->planes[index], closed && closed[index]);
+    put_face(&packed->face_rows, (size_t)i * FACE_REALS, face, &scene->planes[index], closed && closed[index]);
     put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
 }
 
@@ -204,7 +204,7 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePack
     packed->faces = calloc(faces > 0 ? faces : 1, sizeof *packed->faces);
     if (!packed->faces)
         return error_memory(error, "the faces for the device");
-    if (!reals_allocate(&packed->edges, faces, FACE_REALS, how->precision, error) ||
+    if (!reals_allocate(&packed->face_rows, faces, FACE_REALS, how->precision, error) ||
         !reals_allocate(&packed->planes, faces, PLANE_REALS, how->wide, error) ||
         !reals_allocate(&packed->materials, (size_t)scene->material_count, MATERIAL_REALS, how->precision, error) ||
         !reals_allocate(&packed->lights, (size_t)scene->light_count, LIGHT_REALS, how->precision, error) ||
@@ -225,7 +225,7 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePack
 void device_scene_free(DeviceScene *packed)
 {
     free(packed->faces);
-    free(packed->edges.data);
+    free(packed->face_rows.data);
     free(packed->planes.data);
     free(packed->materials.data);
     free(packed->lights.data);

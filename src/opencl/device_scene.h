@@ -18,7 +18,7 @@ typedef struct DeviceReals {
 
 typedef struct DeviceScene {
     FaceRecord *faces;
-    DeviceReals edges, planes, materials, lights, view;
+    DeviceReals face_rows, planes, materials, lights, view;
 } DeviceScene;
 
 /* How a scene is packed. */

@@ -156,7 +156,7 @@ static bool make_kernel(OpenclScene *held, Error *error)
 {
     const SceneOnDevice *on_device = &held->on_device;
     /* The last two are for render_adaptive only. */
-    cl_mem arguments[] = {on_device->parameters, on_device->faces,       on_device->edges,     on_device->planes,
+    cl_mem arguments[] = {on_device->parameters, on_device->faces,       on_device->face_rows, on_device->planes,
                           on_device->materials,  on_device->lights,      on_device->view,      held->pixels.device,
                           on_device->counters,   on_device->tree_floats, on_device->tree_ints, held->refinement.flags,
                           held->refinement.list};

@@ -41,8 +41,8 @@ static bool cast_session(OpenclSession *session, const Scene *scene, const Scene
         !(t_buffer = opencl_buffer(session, CL_MEM_WRITE_ONLY, rays * arrays->t_bytes, NULL, error)))
         return false;
     cl_mem arguments[] = {
-        on_device->parameters, on_device->faces, on_device->edges,    on_device->planes,      ray_buffer,
-        face_buffer,           t_buffer,         on_device->counters, on_device->tree_floats, on_device->tree_ints};
+        on_device->parameters, on_device->faces, on_device->face_rows, on_device->planes,      ray_buffer,
+        face_buffer,           t_buffer,         on_device->counters,  on_device->tree_floats, on_device->tree_ints};
     cl_kernel kernel = opencl_kernel(session, "cast", arguments, sizeof arguments / sizeof arguments[0], error);
     if (!kernel)
         return false;

@@ -73,7 +73,7 @@ static bool build_tree(const OpenclSession *session, Preparation *made, RenderRe
 
 static uint64_t device_bytes(const Scene *scene, const DeviceScene *packed, const DeviceTree *tree)
 {
-    return (uint64_t)scene->face_count * sizeof(FaceRecord) + device_reals_bytes(&packed->edges) +
+    return (uint64_t)scene->face_count * sizeof(FaceRecord) + device_reals_bytes(&packed->face_rows) +
            device_reals_bytes(&packed->planes) + device_reals_bytes(&packed->materials) +
            device_reals_bytes(&packed->lights) + device_reals_bytes(&packed->view) + tree->float_count * sizeof(float) +
            tree->int_count * sizeof(int);
@@ -95,7 +95,7 @@ static bool upload(OpenclSession *session, const Preparation *made, SceneOnDevic
         device_scene_pack(&packed, made->scene, &how, error) &&
         (on_device->parameters = buffer_of(session, NULL, 0, sizeof(Parameters), error)) &&
         (on_device->faces = buffer_of(session, packed.faces, faces, sizeof(FaceRecord), error)) &&
-        (on_device->edges = buffer_of_reals(session, &packed.edges, error)) &&
+        (on_device->face_rows = buffer_of_reals(session, &packed.face_rows, error)) &&
         (on_device->planes = buffer_of_reals(session, &packed.planes, error)) &&
         (on_device->materials = buffer_of_reals(session, &packed.materials, error)) &&
         (on_device->lights = buffer_of_reals(session, &packed.lights, error)) &&

@@ -8,7 +8,7 @@
 #include "kernels/shared/layout.h"
 
 typedef struct SceneOnDevice {
-    cl_mem parameters, faces, edges, planes, materials, lights, view, counters, tree_floats, tree_ints;
+    cl_mem parameters, faces, face_rows, planes, materials, lights, view, counters, tree_floats, tree_ints;
 } SceneOnDevice;
 
 /* From settings and a scene to a session with buffers and a program for its kernel; the session is to be closed also

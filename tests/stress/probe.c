@@ -49,8 +49,8 @@ static cl_mem new_buffer(Probe *probe, size_t bytes, const void *data)
 
 static void unload(Probe *probe)
 {
-    cl_mem buffers[] = {probe->parameters, probe->faces,  probe->edges, probe->planes,
-                        probe->materials,  probe->lights, probe->view,  probe->counters};
+    cl_mem buffers[] = {probe->parameters, probe->faces,  probe->face_rows, probe->planes,
+                        probe->materials,  probe->lights, probe->view,      probe->counters};
     for (size_t i = 0; probe->loaded && i < sizeof buffers / sizeof buffers[0]; i++)
         clReleaseMemObject(buffers[i]);
     probe->loaded = false;
@@ -73,7 +73,7 @@ void probe_load(Probe *probe, const Scene *scene)
     size_t faces = (size_t)(scene->face_count > 0 ? scene->face_count : 1);
     probe->parameters = new_buffer(probe, sizeof(Parameters), NULL);
     probe->faces = new_buffer(probe, faces * sizeof(FaceRecord), packed.faces);
-    probe->edges = new_buffer(probe, device_reals_bytes(&packed.edges), packed.edges.data);
+    probe->face_rows = new_buffer(probe, device_reals_bytes(&packed.face_rows), packed.face_rows.data);
     probe->planes = new_buffer(probe, device_reals_bytes(&packed.planes), packed.planes.data);
     probe->materials = new_buffer(probe, device_reals_bytes(&packed.materials), packed.materials.data);
     probe->lights = new_buffer(probe, device_reals_bytes(&packed.lights), packed.lights.data);
@@ -166,8 +166,8 @@ void probe_nearest(Probe *probe, const double *rays, long count, CastHit *hits)
     cl_mem input = new_wides(probe, rays, (size_t)count * 6);
     cl_mem faces = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
     cl_mem t = new_buffer(probe, (size_t)count * real_bytes(probe->session.wide_is_double), NULL);
-    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, input, faces, t,
-                          probe->counters,   probe->edges, probe->faces}; /* no tree: never read */
+    cl_mem arguments[] = {probe->parameters, probe->faces,     probe->face_rows, probe->planes, input, faces, t,
+                          probe->counters,   probe->face_rows, probe->faces}; /* no tree: never read */
     run(probe, "cast", arguments, 10, count, ((size_t)count + lanes - 1) / lanes);
     read_hits(probe, faces, t, count, hits);
     clReleaseMemObject(input);
@@ -179,7 +179,7 @@ void probe_counts(Probe *probe, const double *rays, long count, int *counts)
 {
     cl_mem input = new_wides(probe, rays, (size_t)count * 6);
     cl_mem output = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
-    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, input, output};
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->face_rows, probe->planes, input, output};
     run(probe, "probe_counts", arguments, 6, count, (size_t)count);
     read_buffer(probe, output, (size_t)count * sizeof(cl_int), counts);
     clReleaseMemObject(input);
@@ -191,7 +191,7 @@ void probe_blocked(Probe *probe, const double *segments, const int *left, long c
     cl_mem input = new_wides(probe, segments, (size_t)count * 6);
     cl_mem leaving = new_buffer(probe, (size_t)count * sizeof(cl_int), left);
     cl_mem output = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
-    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, input, leaving, output};
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->face_rows, probe->planes, input, leaving, output};
     run(probe, "probe_blocked", arguments, 7, count, (size_t)count);
     read_buffer(probe, output, (size_t)count * sizeof(cl_int), blocked);
     clReleaseMemObject(input);
@@ -207,7 +207,7 @@ void probe_points(Probe *probe, const double *rays, long count, CastHit *hits, d
     cl_mem output = new_buffer(probe, (size_t)count * 6 * real_bytes(probe->session.wide_is_double), NULL);
     cl_mem arguments[] = {probe->parameters,
                           probe->faces,
-                          probe->edges,
+                          probe->face_rows,
                           probe->planes,
                           probe->materials,
                           probe->lights,
@@ -235,8 +235,15 @@ void probe_colours(Probe *probe, const double *rays, long count, double *colours
 {
     cl_mem input = new_wides(probe, rays, (size_t)count * 6);
     cl_mem output = new_buffer(probe, (size_t)count * 3 * real_bytes(real_is_double(probe)), NULL);
-    cl_mem arguments[] = {probe->parameters, probe->faces, probe->edges, probe->planes, probe->materials,
-                          probe->lights,     probe->view,  input,        output};
+    cl_mem arguments[] = {probe->parameters,
+                          probe->faces,
+                          probe->face_rows,
+                          probe->planes,
+                          probe->materials,
+                          probe->lights,
+                          probe->view,
+                          input,
+                          output};
     run(probe, "probe_colours", arguments, 9, count, (size_t)count);
     read_reals(probe, output, (size_t)count * 3, real_is_double(probe), colours);
     clReleaseMemObject(input);

@@ -29,7 +29,7 @@ static Ray probe_ray(global const wide *rays, int i)
 }
 
 /* How many faces each ray hits: each face asked as a scene of its own. A work-item per ray. */
-kernel void probe_counts(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+kernel void probe_counts(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
                          global const wide *planes, global const wide *rays, global int *counts)
 {
     int i = (int)get_global_id(0), count = 0;
@@ -37,9 +37,9 @@ kernel void probe_counts(constant Parameters *parameters, global const FaceRecor
         return;
     uint counters[COUNTER_KINDS] = {0};
     for (int face = 0; face < parameters->face_count; face++) {
-        global const real *its_edges = edges + face * FACE_REALS;
+        global const real *its_rows = face_rows + face * FACE_REALS;
         global const wide *its_planes = planes + face * PLANE_REALS;
-        World world = {parameters, faces + face, its_edges, its_planes, 1, 0, 0, 0, 0, 0, counters};
+        World world = {parameters, faces + face, its_rows, its_planes, 1, 0, 0, 0, 0, 0, counters};
         Ray ray = probe_ray(rays, i);
         Hit hit = find_nearest_from_point(&world, &ray, (Mask)-1);
         count += ANY(IS(hit.face >= (Mask)0));
@@ -48,7 +48,7 @@ kernel void probe_counts(constant Parameters *parameters, global const FaceRecor
 }
 
 /* Is the segment blocked by a face other than the one it leaves? A work-item per segment. */
-kernel void probe_blocked(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+kernel void probe_blocked(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
                           global const wide *planes, global const wide *segments,
                           global const int *left, global int *blocked)
 {
@@ -56,7 +56,7 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     if (i >= parameters->ray_count)
         return;
     uint counters[COUNTER_KINDS] = {0};
-    World world = {parameters, faces, edges, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
+    World world = {parameters, faces, face_rows, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
     wide target[3] = {segments[6 * i + 3], segments[6 * i + 4], segments[6 * i + 5]};
     OriginPacket packets[PACKETS];
     LazyPoints points;
@@ -79,7 +79,7 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
 }
 
 /* Where the nearest hit is, and where the next ray starts. A work-item per ray. */
-kernel void probe_points(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+kernel void probe_points(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
                          global const wide *planes, global const real *materials, global const real *lights,
                          global const real *view, global const wide *rays, global int *hits, global wide *t,
                          global wide *points)
@@ -88,7 +88,7 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     if (i >= parameters->ray_count)
         return;
     uint counters[COUNTER_KINDS] = {0};
-    World world = {parameters, faces, edges, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
+    World world = {parameters, faces, face_rows, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
     Ray ray = probe_ray(rays, i);
     Hit hit = find_nearest_from_point(&world, &ray, (Mask)-1);
     MaskElement face[LANES];
@@ -116,7 +116,7 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
 }
 
 /* The colour that a ray brings, not clamped. A work-item per ray. */
-kernel void probe_colours(constant Parameters *parameters, global const FaceRecord *faces, global const real *edges,
+kernel void probe_colours(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
                           global const wide *planes, global const real *materials, global const real *lights,
                           global const real *view, global const wide *rays, global real *colours)
 {
@@ -124,7 +124,8 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
     if (i >= parameters->ray_count)
         return;
     uint counters[COUNTER_KINDS] = {0};
-    World world = {parameters, faces, edges, planes, parameters->face_count, materials, lights, view, 0, 0, counters};
+    World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights, view, 0, 0,
+                   counters};
     Path paths[PACKETS];
     Ray rays_of[PACKETS];
     EACH_PACKET(p) {

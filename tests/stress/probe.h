@@ -9,7 +9,7 @@
 
 typedef struct Probe {
     OpenclSession session;
-    cl_mem parameters, faces, edges, planes, materials, lights, view, counters;
+    cl_mem parameters, faces, face_rows, planes, materials, lights, view, counters;
     Parameters launch;
     bool loaded;
 } Probe;
