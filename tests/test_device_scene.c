@@ -147,7 +147,7 @@ static void face_bits_should_tell_what_a_face_is(void)
         uint32_t bits;
         memcpy(&bits, (const double *)packed.face_rows.data + i * FACE_REALS + FACE_BITS, sizeof bits);
         TEST_ASSERT_EQUAL_INT(i % 4 == 0, (bits & FACE_TRIANGLE) != 0);
-        TEST_ASSERT_EQUAL_INT(i % 5 == 0, (bits & FACE_BACK_OPEN) != 0);
+        TEST_ASSERT_EQUAL_INT(i % 5 == 0, (bits & FACE_ONE_SIDED) != 0);
         TEST_ASSERT_EQUAL_INT(i % 7 == 0 && i % 5 != 0, (bits & FACE_BACK_INSIDE) != 0);
     }
 }

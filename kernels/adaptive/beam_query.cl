@@ -52,7 +52,7 @@ static void intersect_beam(const World *world, BeamQuery *q, const GroupBeam *gr
     world->counters[COUNT_FACE_TESTS] += q->active_count;
     BeamPlane seen = beam_plane(world, beam, i);
     int back = q->shadow ? 1 : -1;
-    if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && face_bits(face_row(world, i)) & FACE_BACK_OPEN) ||
+    if ((seen.side == 0 && !beam->mirrored) || (seen.side == back && face_bits(face_row(world, i)) & FACE_ONE_SIDED) ||
         (q->to >= 0 && is_on_side(world, i, q->to, -q->far.side)) ||
         (q->from >= 0 && is_on_side(world, i, q->from, q->near.side)))
         return;

@@ -70,7 +70,7 @@ typedef struct FaceSetup {
     real nx, ny, nz;       /* n */
     real edge_error;       /* of m[k].R */
     real depth_error;      /* of 1/t */
-    bool with_normal;      /* rays that hit it go along its normal: they come from behind */
+    bool from_behind;      /* rays that hit it go along its normal: they come from behind */
     bool closed;           /* it belongs to a closed box, of which faces are culled */
 } FaceSetup;
 
@@ -109,11 +109,11 @@ INLINE Visibility setup_face(const Apex *a, global const real *row, bool reverse
     real slack = 8 * REAL_ROUNDING * (fabs(x) + fabs(y) + fabs(z)) + face_warp(bits) + a->off;
     if (!(fabs(height) > 4 * slack))
         return UNCERTAIN;
-    f->with_normal = height > 0;
-    if (f->with_normal != reversed && (bits & FACE_BACK_OPEN || f->closed))
+    f->from_behind = height > 0;
+    if (f->from_behind != reversed && (bits & FACE_ONE_SIDED || f->closed))
         return CULLED;
     EdgeMoments m = edge_moments(row, vx, vy, vz);
-    real4 turn = (real4)(f->with_normal ? 1 : -1);
+    real4 turn = (real4)(f->from_behind ? 1 : -1);
     vstore4(turn * m.x, 0, f->x);
     vstore4(turn * m.y, 0, f->y);
     vstore4(turn * m.z, 0, f->z);

@@ -20,7 +20,7 @@
 typedef struct EdgeTest {
     Mask may;         /* lanes that may pass inside, */
     Mask sure;        /* that certainly do, */
-    Mask with_normal; /* and that do along the normal */
+    Mask from_behind; /* and that do along the normal, from behind the face */
 } EdgeTest;
 
 /* s[k] = R.(a x (v[k+1] - v[k])), which is the determinant above. a: v[k] - O; v: row + k, w: row + k + 1. */
@@ -46,8 +46,8 @@ INLINE EdgeTest test_edges(const RealRay *l, global const real *row)
     Lanes size = vec_magnitudes(first) + vec_magnitudes(l->origin) + 2 * edge_bound(bits);
     Lanes bound = l->scale * FMA(size, 16 * REAL_ROUNDING * edge_bound(bits), REAL_FLOOR) + REAL_FLOOR;
     EdgeTest test;
-    test.with_normal = IS(low > bound);
-    test.sure = test.with_normal | IS(high < -bound);
+    test.from_behind = IS(low > bound);
+    test.sure = test.from_behind | IS(high < -bound);
     test.may = IS(low >= -bound) | IS(high <= bound);
     return test;
 }
@@ -55,11 +55,11 @@ INLINE EdgeTest test_edges(const RealRay *l, global const real *row)
 /* Decides the lanes that may pass inside, but not surely. target: where all rays end; NULL: they have no end. */
 NOINLINE void resolve_edges_exactly(EdgeTest *test, global const real *row, const Ray *ray, const wide *target)
 {
-    MaskElement may[LANES], sure[LANES], with_normal[LANES];
+    MaskElement may[LANES], sure[LANES], from_behind[LANES];
     wide o[3][LANES], r[3][LANES];
     STORE(test->may, may);
     STORE(test->sure, sure);
-    STORE(test->with_normal, with_normal);
+    STORE(test->from_behind, from_behind);
     STORE(ray->origin.x, o[0]);
     STORE(ray->origin.y, o[1]);
     STORE(ray->origin.z, o[2]);
@@ -75,8 +75,8 @@ NOINLINE void resolve_edges_exactly(EdgeTest *test, global const real *row, cons
         Exact exact = target ? exact_difference(target, origin) : exact_difference(direction, zero);
         int sign = inside_sign(row, origin, &exact);
         may[i] = sign ? -1 : 0;
-        with_normal[i] = sign > 0 ? -1 : 0;
+        from_behind[i] = sign > 0 ? -1 : 0;
     }
     test->may = LOAD(may);
-    test->with_normal = LOAD(with_normal);
+    test->from_behind = LOAD(from_behind);
 }

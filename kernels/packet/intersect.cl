@@ -23,7 +23,7 @@ typedef struct Nearest {
     Lanes low, high;    /* 1/t is between these; 0: no face yet */
     Lanes begin, limit; /* the t at which the ray begins; 1/begin */
     Mask face;          /* its place on the device; -1: none */
-    Mask with_normal;   /* N.R > 0: the ray came from behind the normal */
+    Mask from_behind;   /* N.R > 0: the ray came from behind the normal */
 } Nearest;
 
 INLINE Nearest nothing_yet(void)
@@ -46,7 +46,7 @@ static Hit exact_hit(const World *world, const Ray *ray, const Nearest *nearest,
         hit.t_in_box = wide_here ? t_in_box : hit.t_in_box;
         hit.face = here ? (Mask)face : hit.face;
         hit.index = here ? (Mask)world->faces[face].index : hit.index;
-        hit.with_normal = here ? nearest->with_normal : hit.with_normal;
+        hit.from_behind = here ? nearest->from_behind : hit.from_behind;
     }
     return hit;
 }
@@ -63,7 +63,7 @@ NOINLINE bool resolve_nearest_exactly(const World *world, const Ray *ray, Mask u
     nearest->low = take ? inverse * (1 - 64 * REAL_ROUNDING) : nearest->low;
     nearest->high = take ? inverse * (1 + 64 * REAL_ROUNDING) : nearest->high;
     nearest->face = take ? (Mask)i : nearest->face;
-    nearest->with_normal = take ? hit.with_normal : nearest->with_normal;
+    nearest->from_behind = take ? hit.from_behind : nearest->from_behind;
     return true;
 }
 
@@ -116,7 +116,7 @@ INLINE bool intersect_nearest_from(const World *world, const OriginPacket *p, co
     nearest->low = take ? low : nearest->low;
     nearest->high = take ? high : nearest->high;
     nearest->face = take ? (Mask)i : nearest->face;
-    nearest->with_normal = take ? (Mask)(f->with_normal ? -1 : 0) : nearest->with_normal;
+    nearest->from_behind = take ? (Mask)(f->from_behind ? -1 : 0) : nearest->from_behind;
     bool nearer = ANY(take);
     if (nearer) {
         fetch(world->faces + i, sizeof(FaceRecord));

@@ -23,7 +23,7 @@ typedef struct Hit {
     Wide t_in_box;    /* the t nearest to that one at which the ray is in the face's box: it decides what is nearest */
     Mask face;        /* its place on the device; -1: none */
     Mask index;       /* its place in the scene, which decides between equal t */
-    Mask with_normal; /* N.R > 0: the ray came from behind the normal */
+    Mask from_behind; /* N.R > 0: the ray came from behind the normal */
 } Hit;
 
 INLINE Hit no_hit(void)
@@ -58,8 +58,8 @@ NOINLINE bool intersect_nearest(const World *world, const RealRay *real_ray, con
         return false;
     if (ANY(edges.may & ~edges.sure))
         resolve_edges_exactly(&edges, face_row(world, i), ray, 0);
-    if (face_bits(face_row(world, i)) & FACE_BACK_OPEN) {
-        edges.may &= ~edges.with_normal;
+    if (face_bits(face_row(world, i)) & FACE_ONE_SIDED) {
+        edges.may &= ~edges.from_behind;
         if (!ANY(edges.may))
             return false;
     }
@@ -68,7 +68,7 @@ NOINLINE bool intersect_nearest(const World *world, const RealRay *real_ray, con
     WideMask ahead;
     PlaneHit hit = hit_in_box(world, i, ray, TO_WIDE_MASK(edges.may), &t_in_box, &ahead);
     /* The signs of the edges are that of N.R, too. The ray starts on the other side. */
-    ahead &= TO_WIDE_MASK(edges.with_normal) ? IS(hit.distance < (Wide)0) : IS(hit.distance > (Wide)0);
+    ahead &= TO_WIDE_MASK(edges.from_behind) ? IS(hit.distance < (Wide)0) : IS(hit.distance > (Wide)0);
     Mask index = (Mask)world->faces[i].index;
     WideMask first = IS(t_in_box == nearest->t_in_box) & TO_WIDE_MASK(IS(index < nearest->index));
     WideMask nearer = TO_WIDE_MASK(edges.may) & ahead & IS(hit.t <= (Wide)WIDE_MAX) &
@@ -78,7 +78,7 @@ NOINLINE bool intersect_nearest(const World *world, const RealRay *real_ray, con
     nearest->t_in_box = nearer ? t_in_box : nearest->t_in_box;
     nearest->face = take ? (Mask)i : nearest->face;
     nearest->index = take ? index : nearest->index;
-    nearest->with_normal = take ? edges.with_normal : nearest->with_normal;
+    nearest->from_behind = take ? edges.from_behind : nearest->from_behind;
     return ANY(take);
 }
 
@@ -97,8 +97,8 @@ NOINLINE Mask intersect_segment(const World *world, const WideVec *point, const 
     wide end_side = plane_distance_of_point(world, i, target);
     Wide start = plane_distance(world, i, &plane, *point, TO_WIDE_MASK(edges.may));
     WideMask before = IS(start > (Wide)0), behind = IS(start < (Wide)0);
-    bool open = face_bits(face_row(world, i)) & FACE_BACK_OPEN;
-    WideMask between = end_side < 0 ? before : end_side > 0 && !open ? behind : (WideMask)0;
+    bool one_sided = face_bits(face_row(world, i)) & FACE_ONE_SIDED;
+    WideMask between = end_side < 0 ? before : end_side > 0 && !one_sided ? behind : (WideMask)0;
     if (!face_is_flat(world, i)) {
         Interval in_box = interval_in_box(world->faces + i, &ray);
         between &= IS(in_box.enter <= in_box.leave) & IS(in_box.enter <= (Wide)1);

@@ -15,7 +15,7 @@
 
 /* Moves a point along n, the normal on the rays' side, to where it is surely on that side of the face's plane, and
  * hardly farther: as point_shifted in src/scene/geometry.c. */
-static WideVec point_shifted(const World *world, int face, const PlaneRow *plane, WideVec n, WideMask with_normal,
+static WideVec point_shifted(const World *world, int face, const PlaneRow *plane, WideVec n, WideMask from_behind,
                              WideVec point)
 {
     global const real *row = face_row(world, face);
@@ -29,7 +29,7 @@ static WideVec point_shifted(const World *world, int face, const PlaneRow *plane
         height = normal_dot(plane, x);
         slack = PLAIN_ERROR(*plane) * wide_magnitudes(x);
     }
-    height = with_normal ? -height : height;
+    height = from_behind ? -height : height;
     Wide margin = 2 * WIDE_ROUNDING * wide_magnitudes(point) + 12 * WIDE_ROUNDING * fabs(height) + slack;
     margin = margin > (Wide)SHIFT_FLOOR ? margin : (Wide)SHIFT_FLOOR;
     return wide_add(point, wide_scale(margin - height, n));
@@ -73,7 +73,7 @@ NOINLINE void need_points(LazyPoints *points, int p, Mask lanes)
 {
     const World *world = points->world;
     const Nearest *nearest = points->nearest + p;
-    WideMask with_normal = TO_WIDE_MASK(nearest->with_normal);
+    WideMask from_behind = TO_WIDE_MASK(nearest->from_behind);
     for (Mask rest = lanes & points->active[p] & ~points->ready[p]; ANY(rest);) {
         int face = first_of(nearest->face, rest);
         Mask here = points->active[p] & IS(nearest->face == (Mask)face);
@@ -83,8 +83,8 @@ NOINLINE void need_points(LazyPoints *points, int p, Mask lanes)
         WideVec point = point_on(world, points->rays + p, points->from_eye, face, here);
         PlaneRow plane = plane_row(world, face);
         WideVec normal = wide_vec((Wide)plane.x, (Wide)plane.y, (Wide)plane.z);
-        WideVec turned = wide_select(with_normal, wide_vec(-normal.x, -normal.y, -normal.z), normal);
-        WideVec off = point_shifted(world, face, &plane, turned, with_normal, point);
+        WideVec turned = wide_select(from_behind, wide_vec(-normal.x, -normal.y, -normal.z), normal);
+        WideVec off = point_shifted(world, face, &plane, turned, from_behind, point);
         if (first) { /* mostly there is one face: nothing to blend */
             points->point[p] = point;
             points->shifted[p] = off;
@@ -113,7 +113,7 @@ static WideVec wide_normal(const World *world, const Nearest *nearest, Mask acti
         global const wide *row = world->planes + (size_t)face * PLANE_REALS;
         normal = wide_select(TO_WIDE_MASK(here), wide_vec((Wide)row[0], (Wide)row[1], (Wide)row[2]), normal);
     }
-    return wide_select(TO_WIDE_MASK(nearest->with_normal), wide_vec(-normal.x, -normal.y, -normal.z), normal);
+    return wide_select(TO_WIDE_MASK(nearest->from_behind), wide_vec(-normal.x, -normal.y, -normal.z), normal);
 }
 
 /* Replaces the rays of packet p's active lanes by those that their faces reflect, and their apex by its image. In

@@ -31,7 +31,7 @@ typedef struct Surface {
     Vec to_viewer; /* unit vectors */
     ApproxPoint approx;
     Lanes reflection;
-    Mask face, material, with_normal;
+    Mask face, material, from_behind;
     int only;          /* the face of all active lanes; -1: they have several */
     int only_material; /* the same of materials */
 } Surface;
@@ -43,7 +43,7 @@ INLINE void find_surface(const World *world, const Nearest *nearest, Mask active
 {
     Mask faces = nearest->face;
     surface->face = faces;
-    surface->with_normal = nearest->with_normal;
+    surface->from_behind = nearest->from_behind;
     surface->only = first_of(faces, active);
     surface->only_material = face_material(world, surface->only);
     Lanes height = (Lanes)0, off = (Lanes)0, apart = (Lanes)0;
@@ -81,7 +81,7 @@ INLINE void find_surface(const World *world, const Nearest *nearest, Mask active
     }
     if (HAS_APPROX)
         surface->approx = approx_point(ahead, height, off, surface->normal);
-    surface->normal = vec_select(surface->with_normal, vec_minus(surface->normal), surface->normal);
+    surface->normal = vec_select(surface->from_behind, vec_minus(surface->normal), surface->normal);
 }
 
 /* The unit vectors to the viewer: back along the ray, or from the point to the eye. eye_from_apex: as from_apexes. */
@@ -113,7 +113,7 @@ INLINE Mask turned_to_light(const World *world, const Surface *surface, int face
         side->face = face;
         side->distance = plane_distance_of_point(world, face, light);
     }
-    return side->distance > 0 ? ~surface->with_normal : side->distance < 0 ? surface->with_normal : (Mask)0;
+    return side->distance > 0 ? ~surface->from_behind : side->distance < 0 ? surface->from_behind : (Mask)0;
 }
 
 /* The lanes whose surface faces the light: N.L > 0, decided per face by the side of its plane that the light is on. */

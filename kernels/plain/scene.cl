@@ -45,7 +45,7 @@ static wide3 face_vertex(const Scene *scene, int face, int k)
 
 static bool is_one_sided(const Scene *scene, int face)
 {
-    return *(global const uint *)(face_row(scene, face) + FACE_BITS) & FACE_BACK_OPEN;
+    return *(global const uint *)(face_row(scene, face) + FACE_BITS) & FACE_ONE_SIDED;
 }
 
 static wide3 face_normal(const Scene *scene, int face) { return vload3(0, plane_row(scene, face) + PLANE_NORMAL); }

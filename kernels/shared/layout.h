@@ -48,7 +48,7 @@ enum {
  * The lower half is the upper half of another float: no vertex is farther from the plane.
  * The flags share these words: the sign bits, and the lowest bit. They can only enlarge the bound. */
 #define FACE_TRIANGLE 0x80000000u
-#define FACE_BACK_OPEN 0x8000u /* rays pass from behind the normal: the face is one-sided */
+#define FACE_ONE_SIDED 0x8000u /* rays that come from behind the normal pass through */
 #define FACE_BACK_INSIDE 1u    /* behind it is the inside of a closed box: rays from outside meet a front first */
 
 /* Planes are rows of `wide`: double wherever the device has it. */

@@ -25,7 +25,7 @@
 /* What all rays hit first. */
 typedef struct CoveringFace {
     int face; /* -1: none, they see the background */
-    bool with_normal;
+    bool from_behind;
 } CoveringFace;
 
 typedef struct CoverSearch {
@@ -78,7 +78,7 @@ INLINE bool test_covering_face(const World *world, CoverSearch *s, int i, bool *
     if (coverage != COVERS || !(low > s->high) || !(least_of(s->begin_low - closest) > 0))
         return false;
     s->nearest.face = i;
-    s->nearest.with_normal = face.with_normal;
+    s->nearest.from_behind = face.from_behind;
     s->low = low;
     s->high = high;
     *nearer = true;

@@ -62,7 +62,7 @@ INLINE void make_facet(const World *world, CoveringFace seen, const Camera *came
         f->normal[axis] = (real)plane[axis];
         f->eye[axis] = (real)(view_value(world, VIEW_EYE + axis) - camera->eye[axis]);
     }
-    f->sign = seen.with_normal ? -1 : 1;
+    f->sign = seen.from_behind ? -1 : 1;
     f->height = approx_height(world, seen.face, camera->eye);
     f->off = APPROX_OFF((real)magnitudes_of(camera->eye) + vertex_magnitudes(world, seen.face));
     f->along_ray = world->parameters->viewer_ray || bounces == 0;

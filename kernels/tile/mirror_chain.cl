@@ -84,7 +84,7 @@ NOINLINE void rays_after_mirrors(const World *world, const MirrorChain *chain, i
         begin_points(world, &points, rays, nearest, all, i == 0);
         EACH_PACKET(p) {
             nearest[p].face = (Mask)hits[i].seen.face;
-            nearest[p].with_normal = (Mask)(hits[i].seen.with_normal ? -1 : 0);
+            nearest[p].from_behind = (Mask)(hits[i].seen.from_behind ? -1 : 0);
             reflect(&points, p, all[p], rays + p, &paths[p].apex);
         }
     }

@@ -43,7 +43,7 @@ NOINLINE bool find_part_shadow(const World *world, const MirrorChain *chain, con
         all[p] = (Mask)-1;
         uncertain[p] = (Mask)(bounces > 0 ? -1 : 0);
         nearest[p].face = (Mask)f->face;
-        nearest[p].with_normal = (Mask)(f->sign < 0 ? -1 : 0);
+        nearest[p].from_behind = (Mask)(f->sign < 0 ? -1 : 0);
     }
     rays_after_mirrors(world, chain, bounces, paths, rays);
     LazyPoints points;

@@ -73,7 +73,7 @@ static uint32_t face_bits(const Face *face, const Plane *plane, bool closed)
     }
     uint32_t even_warp = (bound_bits(warp) + 1) & ~FACE_BACK_INSIDE;
     return bound_bits(longest) << 16 | even_warp | (face->vertex_count == 3 ? FACE_TRIANGLE : 0) |
-           (face->front_only ? FACE_BACK_OPEN
+           (face->front_only ? FACE_ONE_SIDED
             : closed         ? FACE_BACK_INSIDE
                              : 0);
 }

@@ -101,7 +101,7 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
         return;
     Nearest nearest = nothing_yet();
     nearest.face = hit.face;
-    nearest.with_normal = hit.with_normal;
+    nearest.from_behind = hit.from_behind;
     Mask active = (Mask)-1;
     LazyPoints lazy;
     begin_points(&world, &lazy, &ray, &nearest, &active, true);
