@@ -535,6 +535,76 @@ class Options(CommandTest):
         self.assertLessEqual(longest, 20)
 
 
+class Choosing(CommandTest):
+    SCENE = os.path.join(HERE, "scenes/gallery.json")
+
+    def found(self, *words, scene=None):
+        """The pixel that a search finds, and its summary."""
+        out, err = self.run_program("trace", scene or self.SCENE, "--summary", "--format", "json", *words)
+        column, row = map(int, re.match(r"rectray: --pixel (\d+),(\d+) shows it\n$", err).groups())
+        document = json.loads(out)
+        self.assertEqual((document["pixel"]["column"], document["pixel"]["row"]), (column, row))
+        return document["summary"]
+
+    def test_a_face_is_found_directly_or_in_a_mirror(self):
+        small = ("--size", "160x90")
+        self.assertEqual(self.found("--face", "far wall/0", *small)["hits"][0]["face"], "far wall/0")
+        self.assertTrue(self.found("--face", "star", *small)["hits"][0]["face"].startswith("star/"))
+        faces = [hit["face"] for hit in self.found("--face", "star/32", *small)["hits"]]
+        self.assertIn("star/32", faces[1:])
+
+    def test_a_blocked_light_a_mirror_and_the_dark_are_found(self):
+        small = ("--size", "160x90", "--sampling", "uniform:1")
+        summary = self.found("--light-blocked", "0", *small)
+        self.assertEqual(summary["hits"][0]["lights"][0]["verdict"], "blocked")
+        self.assertGreaterEqual(len(self.found("--mirror-depth", "2", *small)["hits"]), 3)
+        both = self.found("--light-blocked", "0", "--mirror-depth", "2", *small)
+        self.assertEqual(both["hits"][0]["lights"][0]["verdict"], "blocked")
+        self.run_program("render", self.SCENE, "-b", "reference", "-o", "a.png", "-q", *small)
+        least = min(sum(pixel) for line in png_pixels(self.bytes_of("a.png")) for pixel in line)
+        self.assertLessEqual(sum(self.found("--darkest", *small)["rgb"]), least + 2)
+
+    def test_what_is_nowhere_is_told(self):
+        small = ("trace", self.SCENE, "--size", "64x36")
+        for message, *words in (("no object has that name", "--face", "nobody/3"),
+                                ("the last face of that object is", "--face", "far wall/99"),
+                                ("the scene has 3 lights", "--light-blocked", "3"),
+                                ("no pixel shows that", "--mirror-depth", "60"),
+                                ("look for one", "--darkest", "--pixel", "1,1")):
+            self.assertIn(message, self.run_program(*small, *words, status=2)[1])
+
+    def test_several_pixels_are_told_one_after_another(self):
+        one = [self.run_program("trace", "scene.json", "--pixel", pixel)[0] for pixel in ("4,3", "1,2")]
+        both, _ = self.run_program("trace", "scene.json", "--pixel", "4,3", "--pixel", "1,2")
+        self.assertEqual(both, b"\n".join(one))
+        out, _ = self.run_program("trace", "scene.json", "--pixel", "4,3", "--pixel", "1,2", "-f", "json")
+        told = [(walk["pixel"]["column"], walk["pixel"]["row"]) for walk in json.loads(out)]
+        self.assertEqual(told, [(4, 3), (1, 2)])
+        for form in ("svg", "obj"):
+            self.assertIn("shows one pixel", self.run_program("trace", "scene.json", "--pixel", "4,3", "--pixel", "1,2",
+                                                              "-f", form, status=2)[1])
+
+    def test_a_difference_tells_where_the_paths_part(self):
+        original = os.path.join(HERE, "scenes/original.json")
+
+        def diff(*pixels, scene=original):
+            words = [word for pixel in pixels for word in ("--pixel", pixel)]
+            return self.run_program("trace", scene, *words, "--diff", "--width=80")[0].decode()
+        out = diff("40,36", "42,36")
+        self.assertIn("They part at P2: the first one hits cube1/4, the second one leaves the scene.", out)
+        self.assertRegex(out, r"bytes +\(97, 74, 97\) +\(67, 67, 67\)")
+        self.assertNotIn("P1 lights", out)
+        self.assertLessEqual(max(map(len, out.splitlines())), 80)
+        self.assertIn("They take the same path, and the same lights reach it.", diff("40,36", "40,36"))
+        self.assertEqual(len(diff("40,36", "40,36").splitlines()), 3)
+        self.assertEqual(diff("40,36", "42,36", "0,0").count("They part at"), 2)
+        lights = diff("300,300", "256,470", scene=os.path.join(HERE, "scenes/cornell.json"))
+        self.assertIn("They part at", lights)
+        for words in (("--pixel", "1,1"), ("--pixel", "1,1", "--pixel", "2,2", "-f", "json")):
+            _, err = self.run_program("trace", original, "--diff", *words, status=2)
+            self.assertIn("--diff needs --pixel twice", err)
+
+
 class Mistakes(CommandTest):
     def assert_usage(self, message, *words):
         out, err = self.run_program("trace", "scene.json", *words, status=2)

@@ -7,21 +7,55 @@
 #include "trace/accel.h"
 #include "trace/adaptive.h"
 #include "walkthrough/ink.h"
-#include "walkthrough/walkthrough_formats.h"
+#include "walkthrough/pixel_search.h"
+#include "walkthrough/walkthrough_diff.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-static bool check_request(const Options *options, const Scene *scene, Error *error)
+/* --- Which pixels --- */
+
+static bool wishes(const Options *options)
+{
+    return options->face || options->blocked_light >= 0 || options->mirrors > 0 || options->darkest;
+}
+
+/* The pixels that are asked for, or the one that a search finds. */
+static bool choose_pixels(Options *options, const Scene *scene, Error *error)
 {
     const Screen *screen = &scene->screen;
-    if (!options->pixel_given)
+    if (options->pixel_count == 0 && wishes(options)) {
+        PixelWish wish = {options->face, options->blocked_light, options->mirrors, options->darkest};
+        TracePixel *pixel = &options->pixels[options->pixel_count++];
+        if (wish.blocked_light >= scene->light_count)
+            return error_set(error, ERROR_USAGE, "--light-blocked %d: the scene has %d light%s, counted from 0",
+                             wish.blocked_light, scene->light_count, scene->light_count == 1 ? "" : "s");
+        if (!pixel_search(scene, &wish, &pixel->column, &pixel->row, error))
+            return false;
+        if (!options->quiet)
+            fprintf(stderr, "rectray: --pixel %d,%d shows it\n", pixel->column, pixel->row);
+    }
+    if (options->pixel_count == 0)
         return error_set(error, ERROR_USAGE, "trace needs --pixel COLUMN,ROW: the pixel to tell, from 0,0 to %d,%d",
                          screen->columns - 1, screen->rows - 1);
-    if (options->pixel_column >= screen->columns || options->pixel_row >= screen->rows)
-        return error_set(error, ERROR_USAGE, "--pixel %d,%d is outside the picture, whose pixels are 0,0 to %d,%d",
-                         options->pixel_column, options->pixel_row, screen->columns - 1, screen->rows - 1);
+    for (int i = 0; i < options->pixel_count; i++)
+        if (options->pixels[i].column >= screen->columns || options->pixels[i].row >= screen->rows)
+            return error_set(error, ERROR_USAGE, "--pixel %d,%d is outside the picture, whose pixels are 0,0 to %d,%d",
+                             options->pixels[i].column, options->pixels[i].row, screen->columns - 1, screen->rows - 1);
+    return true;
+}
+
+static bool check_request(const Options *options, const Scene *scene, Error *error)
+{
+    bool text = options->format == WALKTHROUGH_TEXT;
+    if (options->pixel_given && wishes(options))
+        return error_set(error, ERROR_USAGE, "--pixel says which pixel; --face and its like look for one");
+    if (options->diff && (options->pixel_count < 2 || !text))
+        return error_set(error, ERROR_USAGE, "--diff needs --pixel twice or more, and --format text");
+    if (options->pixel_count > 1 && !text && options->format != WALKTHROUGH_JSON)
+        return error_set(error, ERROR_USAGE, "--format %s shows one pixel; leave out the other --pixel",
+                         walkthrough_format_words[options->format]);
     int grid = scene->adaptive && scene->grid > 1 ? adaptive_samples(scene->grid) : scene->grid;
     if (options->sample_i >= grid || options->sample_j >= grid)
         return error_set(error, ERROR_USAGE, "--sample %d,%d is outside the grid, whose samples are 0,0 to %d,%d",
@@ -53,12 +87,30 @@ static WalkthroughStyle style_of(const Options *options, bool to_stdout)
     };
 }
 
-static bool write_paged(const Walkthrough *walk, WalkthroughStyle style, Error *error)
+/* One walkthrough, or several: text below text, JSON in an array. */
+static bool write_walks(FILE *out, const Options *options, const Walkthrough *walks, WalkthroughStyle style,
+                        Error *error)
+{
+    int count = options->pixel_count;
+    bool json = options->format == WALKTHROUGH_JSON && count > 1, done = true;
+    if (options->diff)
+        return walkthrough_diff(out, walks, count, style, error);
+    for (int i = 0; i < count && done; i++) {
+        if (count > 1)
+            fputs(json ? i > 0 ? "," : "[" : i > 0 ? "\n" : "", out);
+        done = walkthrough_writer(options->format)(out, &walks[i], style, error);
+    }
+    if (json)
+        fputs("]\n", out);
+    return done;
+}
+
+static bool write_paged(const Options *options, const Walkthrough *walks, WalkthroughStyle style, Error *error)
 {
     char *text = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
-    bool written = out && walkthrough_write_text(out, walk, style, error);
+    bool written = out && write_walks(out, options, walks, style, error);
     written = out && fclose(out) == 0 && written;
     if (written)
         pager_show(text);
@@ -68,23 +120,22 @@ static bool write_paged(const Walkthrough *walk, WalkthroughStyle style, Error *
     return written;
 }
 
-static bool write_file(const Options *options, const Walkthrough *walk, Error *error)
+static bool write_file(const Options *options, const Walkthrough *walks, Error *error)
 {
-    WalkthroughWriter *writer = walkthrough_writer(options->format);
     const char *path = options->output;
     bool to_stdout = !path || strcmp(path, "-") == 0;
     WalkthroughStyle style = style_of(options, to_stdout);
     if (to_stdout && options->format == WALKTHROUGH_TEXT && !options->no_pager && isatty(STDOUT_FILENO))
-        return write_paged(walk, style, error);
+        return write_paged(options, walks, style, error);
     if (to_stdout)
-        return writer(stdout, walk, style, error);
+        return write_walks(stdout, options, walks, style, error);
     if (output_replaces(path, options->operands[0]))
         return error_set(error, ERROR_USAGE, "the walkthrough %s would replace the scene itself; choose another -o",
                          path);
     Output output;
     if (!output_open(&output, path, "the walkthrough", error))
         return false;
-    if (writer(output.file, walk, style, error))
+    if (write_walks(output.file, options, walks, style, error))
         return output_commit(&output, error);
     output_abort(&output);
     return false;
@@ -108,23 +159,30 @@ static AccelKind accel_kind(const Options *options)
     return options->settings.accel == ACCEL_AUTO ? ACCEL_NONE : options->settings.accel;
 }
 
-static bool trace(const Options *options, const Scene *scene, Error *error)
+static bool record(const Options *options, const Scene *scene, const Accel *accel, int index, Walkthrough *walk,
+                   Error *error)
 {
     WalkthroughRequest request = {
-        .column = options->pixel_column,
-        .row = options->pixel_row,
+        .column = options->pixels[index].column,
+        .row = options->pixels[index].row,
         .i = options->sample_i,
         .j = options->sample_j,
         .verbose = options->verbose,
     };
+    return walkthrough_record(walk, scene, accel, options->operands[0], request, error) &&
+           walkthrough_look_around(walk, error);
+}
+
+static bool trace(const Options *options, const Scene *scene, Error *error)
+{
     Accel accel = {.kind = ACCEL_NONE};
-    Walkthrough walk = {0};
-    if (!options->quiet)
-        note_unused(options);
-    bool done = check_request(options, scene, error) && accel_build(&accel, scene, accel_kind(options), 1, error) &&
-                walkthrough_record(&walk, scene, &accel, options->operands[0], request, error) &&
-                walkthrough_look_around(&walk, error) && write_file(options, &walk, error);
-    walkthrough_free(&walk);
+    Walkthrough walks[TRACE_PIXELS_MAX] = {{0}};
+    bool done = accel_build(&accel, scene, accel_kind(options), 1, error);
+    for (int i = 0; i < options->pixel_count && done; i++)
+        done = record(options, scene, &accel, i, &walks[i], error);
+    done = done && write_file(options, walks, error);
+    for (int i = 0; i < options->pixel_count; i++)
+        walkthrough_free(&walks[i]);
     accel_free(&accel);
     return done;
 }
@@ -135,7 +193,11 @@ bool command_trace(const Options *options, Error *error)
     if (!scene_load(&scene, options->operands[0], error))
         return false;
     scene_override(&scene, options);
-    bool done = trace(options, &scene, error);
+    Options chosen = *options; /* with the pixel that a search has found */
+    bool done = check_request(options, &scene, error) && choose_pixels(&chosen, &scene, error);
+    if (done && !options->quiet)
+        note_unused(options);
+    done = done && trace(&chosen, &scene, error);
     scene_free(&scene);
     return done;
 }

@@ -15,6 +15,12 @@ typedef enum SamplingChoice { SAMPLING_OF_SCENE, SAMPLING_UNIFORM, SAMPLING_ADAP
 /* Colours in text: on a terminal that wants them, or not asking. */
 typedef enum ColourChoice { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER } ColourChoice;
 
+enum { TRACE_PIXELS_MAX = 16 };
+
+typedef struct TracePixel {
+    int column, row;
+} TracePixel;
+
 /* What the user asked for. The strings are those of argv. */
 typedef struct Options {
     const char *operands[MAX_OPERANDS]; /* scenes, the pictures to compare, a kind of scene */
@@ -36,6 +42,11 @@ typedef struct Options {
     int repeats;                                     /* of a measurement; 0: not given */
     int scene_size, seed;                            /* of a generated scene; size 0: not given */
     int pixel_column, pixel_row, sample_i, sample_j; /* of the walkthrough */
+    TracePixel pixels[TRACE_PIXELS_MAX];             /* all that were given, the last of them above, too */
+    int pixel_count;
+    const char *face;  /* a pixel that shows it is looked for; NULL: not given */
+    int blocked_light; /* and where this light is blocked; -1: not given */
+    int mirrors;       /* and whose path has so many mirrors; 0: not given */
     WalkthroughFormat format;
     ColourChoice colour;
     int width; /* of lines of text; 0: not given */
@@ -43,7 +54,7 @@ typedef struct Options {
     StatsFormat stats;
     ProgressMode progress;
     bool precision_given, pixel_given, shift_given;
-    bool quiet, geometry, verbose, with_scene, summary, no_pager, ladder, json, open, help, version;
+    bool quiet, geometry, verbose, with_scene, summary, diff, darkest, no_pager, ladder, json, open, help, version;
 } Options;
 
 /* How an option's value is read. */

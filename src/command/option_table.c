@@ -100,7 +100,10 @@ static bool read_pair(const char *value, int limit, int *column, int *row)
 static bool set_pixel(Options *o, const char *value)
 {
     o->pixel_given = true;
-    return read_pair(value, SCENE_MAX_PIXELS, &o->pixel_column, &o->pixel_row);
+    if (!read_pair(value, SCENE_MAX_PIXELS, &o->pixel_column, &o->pixel_row) || o->pixel_count == TRACE_PIXELS_MAX)
+        return false;
+    o->pixels[o->pixel_count++] = (TracePixel){o->pixel_column, o->pixel_row};
+    return true;
 }
 
 static bool set_sample(Options *o, const char *value)
@@ -179,6 +182,14 @@ const Option option_table[] = {
     {"pixel", 0, "COLUMN,ROW", "explore", "the pixel that is chosen first; 0,0 is the one at the top left",
      OWN(set_pixel), .expects = "two whole numbers, such as 320,240"},
     {"open", 0, NULL, "explore", "open the page, with xdg-open", FLAG(open)},
+    {"diff", 0, NULL, "trace", "of several --pixel: tell only what differs from the first", FLAG(diff)},
+    {"face", 0, "NAME/K", "trace", "look for a pixel that shows this face, or any of an object", TEXT(face),
+     .expects = "an object's name, or its name and a face's number, such as floor/5"},
+    {"light-blocked", 0, "K", "trace", "look for a pixel where something is before light K",
+     NUMBER(blocked_light, 0, 1000000)},
+    {"mirror-depth", 0, "N", "trace", "look for a pixel whose path has N mirrors",
+     NUMBER(mirrors, 1, SCENE_MAX_BOUNCES)},
+    {"darkest", 0, NULL, "trace", "look for the darkest pixel, of those that are looked for", FLAG(darkest)},
     {"sample", 0, "I,J", "trace", "the sample to tell, of a pixel that has several (default 0,0)",
      OWN(set_sample), .expects = "two whole numbers from 0 to 15, such as 0,1"},
     {"format", 'f', "NAME", "trace", "text (default); json: every number; obj: for a 3D viewer; svg: a drawing",

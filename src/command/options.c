@@ -202,7 +202,7 @@ bool options_parse(Options *options, const Command *command, int argc, char **ar
 {
     assert(command->operands_max <= MAX_OPERANDS);
     Grammar grammar = grammar_of(command);
-    *options = (Options){.settings.device = -1, .settings.shift = SCENE_SHIFT, .bounces = -1};
+    *options = (Options){.settings.device = -1, .settings.shift = SCENE_SHIFT, .bounces = -1, .blocked_light = -1};
     opterr = 0;
     optind = 0; /* from the beginning, whatever was read before */
     for (int found; (found = getopt_long(argc, argv, grammar.letters, grammar.options, NULL)) != -1;) {

@@ -133,17 +133,17 @@ static void print_table(const Ink *ink, const Summary *summary, int lines)
 
 /* --- All of it --- */
 
-/* A neighbour's bytes beside their colour; blanks where the picture ends. */
+/* A neighbour's bytes beside their colour, which takes the place of two blanks; only blanks where the picture ends. */
 static InkText cell_of(const Ink *ink, const WalkthroughAround *around, int k)
 {
     enum { BYTES = 17, SWATCH = 2 };
     const unsigned char *rgb = around->rgb[k];
     bool self = k == AROUND_SELF;
     if (!around->there[k])
-        return ink_text("%*s", 4 + BYTES + (ink->colour ? SWATCH + 1 : 0), "");
+        return ink_text("%*s", 4 + BYTES, "");
     InkText bytes = ink_text("(%d, %d, %d)%s", rgb[0], rgb[1], rgb[2], self ? " <" : "");
-    return ink_text("%s%s%s%-*s", self ? "  > " : "    ", ink_swatch(ink, rgb, SWATCH).text, ink->colour ? " " : "",
-                    BYTES, bytes.text);
+    InkText swatch = ink->colour ? ink_swatch(ink, rgb, SWATCH) : ink_text("%*s", SWATCH, "");
+    return ink_text("%s%s%-*s", swatch.text, self ? "> " : "  ", BYTES, bytes.text);
 }
 
 /* The bytes of the pixel between those of its neighbours. */
@@ -203,6 +203,5 @@ void summary_write_text(const Ink *ink, const Summary *summary)
     if (several)
         ink_paragraph(ink, "Sample (%d, %d) = %s, one of %d; the pixel is their average.", request->i, request->j,
                       ink_vector(summary->colour, DIGITS).text, summary->samples);
-    fprintf(ink->out, "%s%s%s%s%s\n", ink_colour(ink, 'b'), pixel.text, ink_colour(ink, '.'), ink->colour ? "  " : "",
-            ink_swatch(ink, summary->rgb, 6).text);
+    fprintf(ink->out, "%s%s%s\n", ink_colour(ink, 'b'), pixel.text, ink_colour(ink, '.'));
 }

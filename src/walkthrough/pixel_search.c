@@ -1,0 +1,156 @@
+/* Finds a pixel that shows something: traces the rays through the centres of pixels and looks at what they meet. */
+#include "walkthrough/pixel_search.h"
+
+#include "trace/accel.h"
+#include "trace/reference.h"
+#include "walkthrough/walkthrough.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { FEW_PIXELS = 20000 }; /* so many are searched one by one */
+
+/* What the ray through one centre has met. */
+typedef struct Sight {
+    bool shown; /* the wished face */
+    int bounces;
+    bool blocked; /* the wished light, at the first hit */
+    double light; /* the sum of the colour */
+} Sight;
+
+typedef struct Search {
+    const PixelWish *wish;
+    int object, face; /* that are wished for; -1: any. `face` is its number in the object */
+    bool in_mirrors;  /* the face may also be a later hit of the path */
+    Scene scene;      /* a copy with one ray for each pixel */
+    Tracer tracer;
+    Sight sight;
+} Search;
+
+static bool is_wished(const Search *search, int face)
+{
+    return search->object < 0 ||
+           (search->scene.faces[face].object == search->object &&
+            (search->face < 0 || walkthrough_face_in_object(&search->scene, face) == search->face));
+}
+
+static void look(void *user, const Event *event)
+{
+    Search *search = user;
+    Sight *sight = &search->sight;
+    if (event->kind == EVENT_HIT && (event->as.hit.step == 0 || search->in_mirrors))
+        sight->shown = sight->shown || is_wished(search, event->as.hit.face);
+    else if (event->kind == EVENT_LIGHT_END && sight->bounces == 0)
+        sight->blocked = sight->blocked || (event->as.light_end.light == search->wish->blocked_light &&
+                                            event->as.light_end.verdict == LIGHT_BLOCKED);
+    else if (event->kind == EVENT_REFLECTED)
+        sight->bounces = event->as.reflected.bounce;
+}
+
+/* Whether the pixel fits; its sight stays in the search. */
+static bool fits(Search *search, int column, int row)
+{
+    const PixelWish *wish = search->wish;
+    Sight *sight = &search->sight;
+    *sight = (Sight){.shown = false};
+    Vec3 colour = reference_sample(&search->tracer, column, row, 0, 0);
+    sight->light = colour.x + colour.y + colour.z;
+    return (sight->shown || search->object < 0) && (wish->blocked_light < 0 || sight->blocked) &&
+           sight->bounces >= wish->mirrors;
+}
+
+/* A pixel among those that fit, and how good it is: the least value is the best. */
+typedef struct Best {
+    int column, row;
+    double value; /* HUGE_VAL: none yet */
+} Best;
+
+/* Calls for each pixel of a grid of pixels `step` apart. With a centre, the value is the distance from there. */
+static Best search_grid(Search *search, int step, const Best *centre)
+{
+    Best best = {.value = HUGE_VAL};
+    const Screen *screen = &search->scene.screen;
+    for (int row = step / 2; row < screen->rows; row += step)
+        for (int column = step / 2; column < screen->columns; column += step) {
+            if (!fits(search, column, row))
+                continue;
+            double value = centre ? hypot(column - centre->column, row - centre->row) : search->sight.light;
+            if (value < best.value)
+                best = (Best){column, row, value};
+        }
+    return best;
+}
+
+/* The middle of those that fit; its value is HUGE_VAL where none does. */
+static Best middle_of(Search *search, int step)
+{
+    double columns = 0, rows = 0, count = 0;
+    const Screen *screen = &search->scene.screen;
+    for (int row = step / 2; row < screen->rows; row += step)
+        for (int column = step / 2; column < screen->columns; column += step)
+            if (fits(search, column, row)) {
+                columns += column;
+                rows += row;
+                count++;
+            }
+    return (Best){(int)(columns / fmax(count, 1)), (int)(rows / fmax(count, 1)), count > 0 ? 0 : HUGE_VAL};
+}
+
+static Best search_all(Search *search, int step)
+{
+    if (search->wish->darkest)
+        return search_grid(search, step, NULL);
+    Best middle = middle_of(search, step);
+    return middle.value < HUGE_VAL ? search_grid(search, step, &middle) : middle;
+}
+
+/* Finds the object, and the number of the face in it, that the wish names. */
+static bool find_face(Search *search, const Scene *scene, Error *error)
+{
+    const char *name = search->wish->face;
+    search->object = search->face = -1;
+    if (!name)
+        return true;
+    const char *slash = strrchr(name, '/');
+    char *end = NULL;
+    long number = slash ? strtol(slash + 1, &end, 10) : -1;
+    bool numbered = slash && end != slash + 1 && *end == '\0' && number >= 0 && number <= scene->face_count;
+    size_t length = numbered ? (size_t)(slash - name) : strlen(name);
+    for (int i = 0; i < scene->object_count && search->object < 0; i++)
+        if (strlen(scene->objects[i].name) == length && strncmp(scene->objects[i].name, name, length) == 0)
+            search->object = i;
+    if (search->object < 0)
+        return error_set(error, ERROR_USAGE, "--face '%s': no object has that name; `rectray check` counts them", name);
+    search->face = numbered ? (int)number : -1;
+    const Object *object = &scene->objects[search->object];
+    int last =
+        object->face_count > 0 ? walkthrough_face_in_object(scene, object->first_face + object->face_count - 1) : -1;
+    return search->face <= last ||
+           error_set(error, ERROR_USAGE, "--face '%s': the last face of that object is %d", name, last);
+}
+
+bool pixel_search(const Scene *scene, const PixelWish *wish, int *column, int *row, Error *error)
+{
+    Search search = {.wish = wish, .scene = *scene};
+    Accel accel;
+    if (!find_face(&search, scene, error) || !accel_build(&accel, scene, ACCEL_AUTO, 1, error))
+        return false;
+    search.scene.grid = 1;
+    RenderReport report = {0};
+    Recorder recorder = {look, &search};
+    search.tracer = (Tracer){.scene = &search.scene, .accel = &accel, .report = &report, .recorder = &recorder};
+    int step = 1;
+    while (((double)scene->screen.columns / step) * ((double)scene->screen.rows / step) > FEW_PIXELS)
+        step++;
+    /* First coarsely, directly, then in mirrors; then pixel by pixel. */
+    Best best = {.value = HUGE_VAL};
+    for (int k = 0; k < 4 && best.value == HUGE_VAL; k++) {
+        search.in_mirrors = k % 2 == 1;
+        if ((k < 2 || step > 1) && (!search.in_mirrors || wish->face))
+            best = search_all(&search, k < 2 ? step : 1);
+    }
+    accel_free(&accel);
+    *column = best.column;
+    *row = best.row;
+    return best.value < HUGE_VAL || error_set(error, ERROR_USAGE, "no pixel shows that through its centre");
+}
