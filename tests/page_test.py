@@ -484,6 +484,22 @@ class InBrowser(unittest.TestCase):
         counts = [int(n) for n in re.findall(r"\d+", self.value("$('tested-key').textContent"))]
         self.assertEqual(sum(counts), self.value("page.tracer.value('faces')"))
 
+    def test_nodes_of_a_tree_are_shown_as_the_walkthrough_counts_them(self):
+        self.open("#scene=scenes/gallery.json&size=320x180&grid=1&pixel=225,95&step=2")
+        before = self.drawn()
+        self.value("$('tree').value = 'bvh', $('tree').dispatchEvent(new Event('change'))")
+        self.assertNotEqual(self.drawn(), before)
+        counts = [int(n) for n in re.findall(r"\d+", self.value("$('nodes-key').textContent"))]
+        told, _ = rectray(
+            "trace", "scenes/gallery.json", "--size", "320x180", "--grid", "1", "--pixel", "225,95", "--accel", "bvh",
+            "--format", "json"
+        )
+        events = json.loads(told)["events"]
+        ends = next(k for k, event in enumerate(events) if event["event"] == "hit")
+        self.assertEqual(sum(counts), sum(event["event"] == "node" for event in events[:ends]))
+        self.value("$('tree').value = 'none', $('tree').dispatchEvent(new Event('change'))")
+        self.assertEqual(self.drawn(), before)
+
     def test_labels_do_not_overlap(self):
         self.open("#scene=scenes/cornell.json&size=100x100&grid=1&pixel=50,70")
         self.assertEqual(

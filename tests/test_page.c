@@ -29,6 +29,8 @@ int page_places(void);
 int page_seen(void);
 int page_lines(int column, int row, int sample);
 int page_tested(int column, int row, int sample, int hit, int light);
+int page_nodes(int column, int row, int kind, int hit, int light);
+const char *page_node_verdict(int verdict);
 const char *page_face_name(int face);
 const char *page_verdict(int verdict);
 
@@ -183,6 +185,19 @@ static void tested_faces_should_be_all_but_the_one_that_the_ray_leaves(void)
     TEST_ASSERT_EQUAL_INT(0, page_tested(40, 36, 0, 50, -1));
 }
 
+static void nodes_should_be_those_of_the_search(void)
+{
+    for (int kind = ACCEL_KDTREE; kind <= ACCEL_BVH; kind++) {
+        int count = page_nodes(40, 36, kind, 1, -1);
+        TEST_ASSERT_GREATER_THAN_INT(0, count);
+        TEST_ASSERT_EQUAL_INT(0, count % PAGE_NODE_NUMBERS);
+        TEST_ASSERT_EQUAL_STRING("entered", page_node_verdict((int)page_numbers()[0]));
+        TEST_ASSERT_GREATER_THAN_INT(0, page_nodes(40, 36, kind, 1, 0));
+        TEST_ASSERT_EQUAL_INT(0, page_nodes(40, 36, kind, 50, -1));
+    }
+    TEST_ASSERT_EQUAL_STRING("", page_node_verdict(99));
+}
+
 static void names_should_be_the_walkthroughs(void)
 {
     TEST_ASSERT_NOT_NULL(strstr(page_trace(40, 36, 0, 0, 1, 0), page_face_name(0)));
@@ -212,6 +227,7 @@ int main(void)
     RUN_TEST(lists_should_have_their_numbers);
     RUN_TEST(places_should_have_the_screen_around_the_view);
     RUN_TEST(tested_faces_should_be_all_but_the_one_that_the_ray_leaves);
+    RUN_TEST(nodes_should_be_those_of_the_search);
     RUN_TEST(names_should_be_the_walkthroughs);
     RUN_TEST(memory_should_be_lent);
     return UNITY_END();

@@ -9,7 +9,7 @@ here=src/page
 
 # In the order in which they run.
 scripts="tracer worker state link picture maps lens answer arithmetic steps compare algorithm matrix shaders solids
-    view3d labels space scene_file print keys page"
+    view3d labels space tested scene_file print keys page"
 
 # A line "@NAME@" of page.html becomes what the case prints.
 template()

@@ -75,4 +75,9 @@ bool page_list_lines(Page *page, WalkthroughRequest request);
  * looks for hit `hit`, or with light >= 0 that of the shadow ray from there to this light. */
 bool page_list_tested(Page *page, WalkthroughRequest request, int hit, int light);
 
+/* The nodes of a tree of that kind that such a search met, PAGE_NODE_NUMBERS each: NodeVerdict, leaf, level, the box's
+ * low and high corner. */
+enum { PAGE_NODE_NUMBERS = 9 };
+bool page_list_nodes(Page *page, WalkthroughRequest request, AccelKind kind, int hit, int light);
+
 #endif

@@ -27,6 +27,8 @@ PAGE_EXPORT(page_places) int page_places(void);
 PAGE_EXPORT(page_seen) int page_seen(void);
 PAGE_EXPORT(page_lines) int page_lines(int column, int row, int sample);
 PAGE_EXPORT(page_tested) int page_tested(int column, int row, int sample, int hit, int light);
+PAGE_EXPORT(page_nodes) int page_nodes(int column, int row, int kind, int hit, int light);
+PAGE_EXPORT(page_node_verdict) const char *page_node_verdict(int verdict);
 PAGE_EXPORT(page_face_name) const char *page_face_name(int face);
 PAGE_EXPORT(page_verdict) const char *page_verdict(int verdict);
 
@@ -173,6 +175,12 @@ int page_tested(int column, int row, int sample, int hit, int light)
     return page_list_tested(&page, request_of(column, row, sample), hit, light) ? page.numbers.count : 0;
 }
 
+/* Of sample 0; kind: an AccelKind. */
+int page_nodes(int column, int row, int kind, int hit, int light)
+{
+    return page_list_nodes(&page, request_of(column, row, 0), (AccelKind)kind, hit, light) ? page.numbers.count : 0;
+}
+
 /* --- Names --- */
 
 const char *page_face_name(int face)
@@ -185,4 +193,9 @@ const char *page_face_name(int face)
 const char *page_verdict(int verdict)
 {
     return verdict >= 0 && verdict < FACE_VERDICT_COUNT ? walkthrough_face_verdicts[verdict] : "";
+}
+
+const char *page_node_verdict(int verdict)
+{
+    return verdict >= 0 && verdict < NODE_VERDICT_COUNT ? walkthrough_node_verdicts[verdict] : "";
 }

@@ -4,6 +4,7 @@
 
 #include "scene/geometry.h"
 #include "trace/reference.h"
+#include "walkthrough/walkthrough_boxes.h"
 #include "walkthrough/walkthrough_lines.h"
 
 #include <stdlib.h>
@@ -100,21 +101,31 @@ static void add_line(void *user, const WalkthroughLine *line)
     page_add_number(numbers, line->leaves);
 }
 
-/* Records the pixel with every face tested, as it is taught. */
-static bool record(Page *page, Walkthrough *walk, WalkthroughRequest request)
+/* Without a tree every face is tested, as it is taught. */
+static bool record(Page *page, Walkthrough *walk, const Accel *tree, WalkthroughRequest request)
 {
     page->numbers.count = 0;
-    return walkthrough_record(walk, &page->scene, NULL, page->path, request, &page->error);
+    return walkthrough_record(walk, &page->scene, tree, page->path, request, &page->error);
 }
 
 bool page_list_lines(Page *page, WalkthroughRequest request)
 {
     Walkthrough walk = {0};
-    bool done = record(page, &walk, request);
+    bool done = record(page, &walk, NULL, request);
     if (done)
         walkthrough_lines(&walk, add_line, &page->numbers);
     walkthrough_free(&walk);
     return done;
+}
+
+/* Whether the place is in the search for hit `hit`, or with light >= 0 in that from there to the light. */
+static bool is_in_search(const WalkthroughPlace *place, bool shadow, int hit, int light)
+{
+    int number = walkthrough_hit_number(place);
+    if (!place->told)
+        return false;
+    return shadow ? light >= 0 && place->light->as.light.light == light && number == hit
+                  : light < 0 && number + 1 == hit;
 }
 
 bool page_list_tested(Page *page, WalkthroughRequest request, int hit, int light)
@@ -122,20 +133,43 @@ bool page_list_tested(Page *page, WalkthroughRequest request, int hit, int light
     Walkthrough walk = {0};
     WalkthroughPlace place = {0};
     request.verbose = true;
-    bool done = record(page, &walk, request);
+    bool done = record(page, &walk, NULL, request);
     for (long i = 0; done && i < walk.count; i++) {
         const Event *event = &walk.events[i];
         walkthrough_follow(&place, &walk, event);
         bool shadow = event->kind == EVENT_OCCLUDER;
-        bool asked =
-            shadow ? place.told && light >= 0 && place.light->as.light.light == light &&
-                         walkthrough_hit_number(&place) == hit
-                   : event->kind == EVENT_FACE && place.told && light < 0 && walkthrough_hit_number(&place) + 1 == hit;
-        if (!asked)
+        if ((!shadow && event->kind != EVENT_FACE) || !is_in_search(&place, shadow, hit, light))
             continue;
         page_add_number(&page->numbers, shadow ? event->as.occluder.face : event->as.face.face);
         page_add_number(&page->numbers, (shadow ? &event->as.occluder.test : &event->as.face.test)->verdict);
     }
     walkthrough_free(&walk);
+    return done;
+}
+
+static void add_node(Page *page, const Event *event)
+{
+    PageNumbers *numbers = &page->numbers;
+    WalkthroughBox box = walkthrough_box(&page->scene, &event->as.node.shape.box);
+    page_add_number(numbers, event->as.node.visit.verdict);
+    page_add_number(numbers, event->as.node.shape.leaf);
+    page_add_number(numbers, event->as.node.visit.level);
+    page_add_vector(numbers, box.corners[0]);
+    page_add_vector(numbers, box.corners[7]);
+}
+
+bool page_list_nodes(Page *page, WalkthroughRequest request, AccelKind kind, int hit, int light)
+{
+    Accel tree;
+    Walkthrough walk = {0};
+    WalkthroughPlace place = {0};
+    bool done = accel_build(&tree, &page->scene, kind, 1, &page->error) && record(page, &walk, &tree, request);
+    for (long i = 0; done && i < walk.count; i++) {
+        walkthrough_follow(&place, &walk, &walk.events[i]);
+        if (walk.events[i].kind == EVENT_NODE && is_in_search(&place, place.shadow, hit, light))
+            add_node(page, &walk.events[i]);
+    }
+    walkthrough_free(&walk);
+    accel_free(&tree);
     return done;
 }

@@ -17,8 +17,6 @@ const LINE_STYLES = [
     {colour: hex('#c0392b'), width: 2.5, dash: 8},
     {colour: hex('#3a9a5b'), width: 3},
 ];
-// Of each FaceVerdict.
-const VERDICT_COLOURS = ['#7f7f7f', '#1f5fa8', '#6b4fa0', '#c98a00', '#c0392b', '#2e8b57', '#202020'].map(hex);
 
 let view = null;
 let marks = [];
@@ -108,46 +106,18 @@ function showRays() {
         {at: view.camera, text: 'C', kind: ''},
         ...view.lights.slice(0, 12).map((at, k) => ({at, text: 'light ' + k, kind: 'of-light'})),
     );
-    view.showLines([...sceneLines(), ...lines.flatMap(rayLines)]);
+    view.showLines([...sceneLines(), ...lines.flatMap(rayLines), ...nodeLines()]);
 }
 
 function showPlans() {
     if (!page.pixel) return;
     const svg = page.tracer.trace(...page.pixel, 'svg');
     $('plans').replaceChildren(
-        element('img', {src: 'data:image/svg+xml,' + encodeURIComponent(svg), alt: 'two plans of the scene and the path'}),
+        element('img', {
+            src: 'data:image/svg+xml,' + encodeURIComponent(svg),
+            alt: 'two plans of the scene and the path',
+        }),
     );
-}
-
-function showTested() {
-    if (!view) return;
-    const step = page.walk && page.walk.steps[page.step - 1];
-    const wanted = $('tested').checked && step && ['nearest', 'light'].includes(step.kind);
-    const list = wanted ? page.tracer.tested(...page.pixel, step.hit, step.light) : [];
-    const faces = [];
-    const counts = new Map();
-    for (let k = 0; k < list.length; k += 2) {
-        faces.push({face: list[k], colour: VERDICT_COLOURS[list[k + 1]], hatch: list[k + 1]});
-        counts.set(list[k + 1], (counts.get(list[k + 1]) || 0) + 1);
-    }
-    view.showVerdicts(faces);
-    $('tested-key').replaceChildren(
-        ...[...counts]
-            .sort((a, b) => a[0] - b[0])
-            .map(([verdict, count]) =>
-                element(
-                    'span',
-                    {},
-                    element('i', {
-                        class: 'hatch hatch-' + verdict,
-                        style: `--ink: rgb(${VERDICT_COLOURS[verdict].map(c => 255 * c)})`,
-                    }),
-                    `${page.tracer.verdict(verdict)} ${count}`,
-                ),
-            ),
-    );
-    if ($('tested').checked && !wanted)
-        $('tested-key').textContent = "Open a step that looks for a face, or for what is in a light's way.";
 }
 
 // The ray of the step, or else the primary ray.
@@ -242,12 +212,7 @@ on('scene', () => {
     page.lines = page.walk = null;
     showRays();
 });
-for (const event of ['pixel', 'step'])
-    on(event, () => {
-        showRays();
-        showTested();
-    });
-$('tested').addEventListener('change', showTested);
+for (const event of ['pixel', 'step']) on(event, showRays);
 $('along').addEventListener('click', lookAlongRay);
 $('from-camera').addEventListener('click', () => view && view.lookFrom(view.camera, view.lookAt));
 $('whole').addEventListener('click', () => {

@@ -180,6 +180,15 @@ class Tracer {
     tested(column, row, hit, light, sample = 0) {
         return this.numbers(this.c.page_tested(column, row, sample, hit, light));
     }
+    // kind: an AccelKind of render.h
+    nodes(column, row, kind, hit, light) {
+        return this.numbers(this.c.page_nodes(column, row, kind, hit, light));
+    }
+
+    nodeVerdict(number) {
+        return this.textAt(this.c.page_node_verdict(number));
+    }
+
     faceName(face) {
         return this.textAt(this.c.page_face_name(face));
     }
