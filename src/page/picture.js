@@ -76,7 +76,7 @@ function place(data) {
     if (pool.finished === pool.total) {
         pool.ms = performance.now() - pool.start;
         document.body.dataset.state = 'done';
-        $('status').textContent = `${page.columns} x ${page.rows} pixels in ${(pool.ms / 1000).toFixed(2)} s`;
+        $('status').textContent = `${page.columns} x ${page.rows} in ${(pool.ms / 1000).toFixed(2)} s`;
     }
     announce('picture');
 }

@@ -8,7 +8,8 @@ const PRINT = {page: 735, picture: 330, hit: 52, open: 11, closed: 5, line: 1.2,
 
 const linesToPrint = step => bodyOf(step).split('\n').length + 1;
 const heightOf = (step, size) => PRINT.open - PRINT.closed + linesToPrint(step) * size * PRINT.line;
-const headHeight = size => (headText(page.walk).split('\n').length + 1) * size * PRINT.line;
+const headHeight = size =>
+    $('head-fold').open ? (headText(page.walk).split('\n').length + 1) * size * PRINT.line : PRINT.open;
 const restOfFirstPage = () => Math.max(0, PRINT.page - PRINT.picture - PRINT.hit * page.walk.hits.length);
 const printRoom = size =>
     PRINT.page + 0.95 * restOfFirstPage() - headHeight(size) - PRINT.closed * page.walk.steps.length;

@@ -42,7 +42,8 @@ function openScene(path, {size = null, pixel = null, step = 0, keep = false} = {
     Object.assign(page, {columns, rows, step, pixel: null});
     page.tracer.set({columns, rows, grid: page.grid, arithmetic: page.arithmetic});
     $('size').value = `${columns} x ${rows}`;
-    $('holds').textContent = `${page.tracer.value('faces')} faces, ${page.tracer.value('lights')} lights`;
+    $('holds').textContent =
+        `${page.path}: ${page.tracer.value('faces')} faces, ${page.tracer.value('lights')} lights`;
     if (!keep) $('source').value = decode(fileOf(path));
     listScenes();
     announce('scene');
