@@ -19,8 +19,8 @@ static Ray primary_ray(const Scene *scene, int column, int row, int i, int j)
     wide3 eye = vector_at(view + VIEW_EYE, VIEW_REALS), forward = vector_at(view + VIEW_FORWARD, VIEW_REALS);
     wide3 right = vector_at(view + VIEW_RIGHT, VIEW_REALS), up = vector_at(view + VIEW_UP, VIEW_REALS);
     wide3 size = vector_at(view + VIEW_WIDTH, VIEW_REALS); /* width, height */
-    wide x = ((column + (i + (wide)0.5) / p->grid) / p->columns - (wide)0.5) * size.x;
-    wide y = ((wide)0.5 - (row + (j + (wide)0.5) / p->grid) / p->rows) * size.y;
+    wide x = ((column + (i + (wide)0.5f) / p->grid) / p->columns - (wide)0.5f) * size.x;
+    wide y = ((wide)0.5f - (row + (j + (wide)0.5f) / p->grid) / p->rows) * size.y;
     return (Ray){eye, forward + x * right + y * up, -1};
 }
 
@@ -144,7 +144,7 @@ static void store_pixel(global uchar *picture, size_t place, real3 colour)
 #ifdef LINEAR
         ((global real *)picture)[3 * place + i] = rgb[i];
 #else
-        picture[3 * place + i] = (uchar)floor(255 * clamp(rgb[i], (real)0, (real)1) + (real)0.5);
+        picture[3 * place + i] = (uchar)floor(255 * clamp(rgb[i], (real)0, (real)1) + (real)0.5f);
 #endif
 }
 

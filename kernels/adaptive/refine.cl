@@ -27,9 +27,9 @@
 static WideVec direction_to(const World *world, Wide column, Wide row, Wide i, Wide j)
 {
     constant const Parameters *p = world->parameters;
-    Wide sub_column = (i + (wide)0.5) / (wide)p->grid, sub_row = (j + (wide)0.5) / (wide)p->grid;
-    Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5) * view_value(world, VIEW_WIDTH);
-    Wide y = ((wide)0.5 - (row + sub_row) / (wide)p->rows) * view_value(world, VIEW_HEIGHT);
+    Wide sub_column = (i + (wide)0.5f) / (wide)p->grid, sub_row = (j + (wide)0.5f) / (wide)p->grid;
+    Wide x = ((column + sub_column) / (wide)p->columns - (wide)0.5f) * view_value(world, VIEW_WIDTH);
+    Wide y = ((wide)0.5f - (row + sub_row) / (wide)p->rows) * view_value(world, VIEW_HEIGHT);
     return wide_add(wide_add(view_vec(world, VIEW_FORWARD), wide_scale(x, view_vec(world, VIEW_RIGHT))),
                     wide_scale(y, view_vec(world, VIEW_UP)));
 }
@@ -156,11 +156,12 @@ static void refine(const World *world, global uchar *rgb, global const int *list
 
 /* A work-item for a block of the band's tiles; where refine_count says that there are pixels to refine, one for PACKETS
  * of them. Both in one kernel, for tracing a path is the most of it, and takes the longest to compile. */
-kernel void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces,
-                            global const real *face_rows, global const wide *planes, global const real *materials,
-                            global const real *lights, global const real *view, global uchar *rgb,
-                            volatile global uint *totals, global const float *tree_floats, global const int *tree_ints,
-                            global uchar *flags, global const int *list)
+kernel FULL_LANES
+void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
+                     global const wide *planes, global const real *materials, global const real *lights,
+                     global const real *view, global uchar *rgb, volatile global uint *totals,
+                     global const float *tree_floats, global const int *tree_ints, global uchar *flags,
+                     global const int *list)
 {
     uint counters[COUNTER_KINDS] = {0};
     World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights,

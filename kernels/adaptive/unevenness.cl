@@ -9,12 +9,12 @@
 
 #define WIDEST ((real)0.25f) /* a direction that turns by more than this within a pixel is not followed */
 
-INLINE Lanes curved(Lanes square) { return (real)0.35 * square; }
+INLINE Lanes curved(Lanes square) { return REAL(0.35) * square; }
 
 INLINE Lanes power_bound(Lanes x, real power)
 {
     Lanes y = power * (1 - x);
-    Lanes sum = 1 + y * (1 + y * ((real)0.5 + y * ((real)1 / 6 + y * ((real)1 / 24))));
+    Lanes sum = 1 + y * (1 + y * ((real)0.5f + y * ((real)1 / 6 + y * ((real)1 / 24))));
     return y > (Lanes)0 ? 1 / sum : (Lanes)1;
 }
 
@@ -25,9 +25,9 @@ static Lanes power_uneven(Lanes x, real k, Lanes off, Lanes change)
         return (Lanes)0;
     Lanes uneven;
     if (k >= 2)
-        uneven = power_bound(high, k - 2) * k * (off + (real)0.2 * (k - 1) * change * change);
+        uneven = power_bound(high, k - 2) * k * (off + REAL(0.2) * (k - 1) * change * change);
     else
-        uneven = low > (Lanes)0 ? (2 * off + (real)0.5 * change * change / low) / low : (Lanes)1;
+        uneven = low > (Lanes)0 ? (2 * off + (real)0.5f * change * change / low) / low : (Lanes)1;
     return high <= (Lanes)0 ? (Lanes)0 : uneven;
 }
 
@@ -55,10 +55,10 @@ static Lanes unevenness(real diffuse, real specular, real exponent, Vec normal, 
     Lanes length = sqrt(vec_dot(sum, sum)), h_turn = (l_turn / (1 - l_turn) + v_turn / (1 - v_turn)) / length;
     Mask follow_h = IS(h_turn <= (Lanes)WIDEST);
     Lanes n_dot_h = -vec_dot(normal, sum) / length, square = 1 - n_dot_h * n_dot_h,
-          angle = (real)1.1 * h_turn / (1 - h_turn);
-    Lanes change = sqrt(square > (Lanes)0 ? square : (Lanes)0) * angle + (real)0.5 * angle * angle;
+          angle = REAL(1.1) * h_turn / (1 - h_turn);
+    Lanes change = sqrt(square > (Lanes)0 ? square : (Lanes)0) * angle + (real)0.5f * angle * angle;
     Lanes off = (real)4 / 3 * (curved(l_square) + curved(v_square)) / length +
-                (real)1.25 * (l_square + v_square) / (length * length);
+                (real)1.25f * (l_square + v_square) / (length * length);
     Lanes highlight = uneven + specular * power_uneven(n_dot_h, exponent, off, change);
     highlight = follow_h ? highlight : uneven + specular;
     return follow ? highlight : (Lanes)(diffuse + specular);

@@ -8,7 +8,7 @@ INLINE IntLanes colour_to_byte(Lanes c)
 {
     c = c > (Lanes)0 ? c : (Lanes)0;
     c = c < (Lanes)1 ? c : (Lanes)1;
-    return TO_INT((real)255 * c + (real)0.5); /* at least 0: cutting off is floor */
+    return TO_INT((real)255 * c + (real)0.5f); /* at least 0: cutting off is floor */
 }
 
 /* The same for one number. */
@@ -16,5 +16,5 @@ INLINE uchar value_to_byte(real c)
 {
     c = c > 0 ? c : 0;
     c = c < 1 ? c : 1;
-    return (uchar)((real)255 * c + (real)0.5);
+    return (uchar)((real)255 * c + (real)0.5f);
 }

@@ -40,14 +40,14 @@ typedef struct ScreenPlaces {
 INLINE wide screen_x(const World *world, int column, int i)
 {
     constant const Parameters *p = world->parameters;
-    return ((column + (i + (wide)0.5) / p->grid) / (wide)p->columns - (wide)0.5) * view_value(world, VIEW_WIDTH);
+    return ((column + (i + (wide)0.5f) / p->grid) / (wide)p->columns - (wide)0.5f) * view_value(world, VIEW_WIDTH);
 }
 
 /* y of the middle of sub-row j of a row of pixels. */
 INLINE wide screen_y(const World *world, int row, int j)
 {
     constant const Parameters *p = world->parameters;
-    return ((wide)0.5 - (row + (j + (wide)0.5) / p->grid) / (wide)p->rows) * view_value(world, VIEW_HEIGHT);
+    return ((wide)0.5f - (row + (j + (wide)0.5f) / p->grid) / (wide)p->rows) * view_value(world, VIEW_HEIGHT);
 }
 
 /* The places of the sub-pixels (i, j). */

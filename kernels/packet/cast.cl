@@ -9,9 +9,11 @@
 #include "packet/world.cl"
 
 /* rays: ray_count x (origin, direction). hits_face, hits_t: one for each ray; -1 and 0 for a miss. */
-kernel void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
-                 global const wide *planes, global const wide *rays, global int *hits_face, global wide *hits_t,
-                 volatile global uint *totals, global const float *tree_floats, global const int *tree_ints)
+kernel FULL_LANES
+void cast(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
+          global const wide *planes, global const wide *rays, global int *hits_face, global wide *hits_t,
+          volatile global uint *totals,
+          global const float *tree_floats, global const int *tree_ints)
 {
     uint counters[COUNTER_KINDS] = {0};
     World world = {parameters, faces, face_rows, planes, parameters->face_count, 0, 0, 0, tree_floats, tree_ints,

@@ -94,6 +94,10 @@ typedef long WideMaskElement;
 typedef int WideMaskElement;
 #endif
 
+/* Of a kernel: a compiler that would put several work-items side by side is told that the lanes fill its registers
+ * already. Without it, one took ten times as long to compile. */
+#define FULL_LANES __attribute__((vec_type_hint(Lanes)))
+
 /* The number of each lane. */
 INLINE Mask lane_numbers(void)
 {

@@ -75,14 +75,14 @@ INLINE bool is_empty_area(const World *world, const Apex *apex, const Camera *ca
 }
 
 /* Renders a block of tiles: at once if it is empty, or else quarter by quarter. */
-INLINE void render_block(const World *world, const Apex *apex, const Camera *camera, int block, global uchar *rgb)
+NOINLINE void render_block(const World *world, const Apex *apex, const Camera *camera, int block, global uchar *rgb)
 {
     constant const Parameters *p = world->parameters;
     for (int k = 0; k < BLOCK_AREAS; k++) {
         Area area = area_of_block(p, block, k);
         if (area.columns <= 0 || area.rows <= 0)
             continue;
-        bool is_block = k == 0 && BLOCK_AREAS > 1;
+        bool is_block = BLOCK_AREAS > 1 && k == 0;
         if (is_empty_area(world, apex, camera, &area)) {
             render_background(world, &area, (uint)(area.columns * area.rows) * (uint)(p->grid * p->grid), rgb);
             if (is_block)
@@ -98,10 +98,11 @@ INLINE void render_block(const World *world, const Apex *apex, const Camera *cam
 }
 
 /* One work-item per block of the band; surplus work-items do nothing. */
-kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
-                   global const wide *planes, global const real *materials, global const real *lights,
-                   global const real *view, global uchar *rgb, volatile global uint *totals,
-                   global const float *tree_floats, global const int *tree_ints)
+kernel FULL_LANES
+void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
+            global const wide *planes, global const real *materials, global const real *lights,
+            global const real *view, global uchar *rgb, volatile global uint *totals,
+            global const float *tree_floats, global const int *tree_ints)
 {
     uint counters[COUNTER_KINDS] = {0};
     World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights,

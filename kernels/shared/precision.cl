@@ -23,7 +23,9 @@ typedef float4 wide4;
 #define PAIRS_LIMIT 0x1p6f
 #endif
 
+/* REAL(0.1) is that number as a real. A plain 0.1 is a double, which a device without double does not know. */
 #if REAL_DOUBLE
+#define REAL(number) (number)
 typedef double real;
 typedef double2 real2;
 typedef double3 real3;
@@ -33,6 +35,7 @@ typedef double8 real8;
 #define REAL_FLOOR 0x1p-900
 #define SHIFT_FLOOR 0x1p-100
 #else
+#define REAL(number) (number##f)
 typedef float real;
 typedef float2 real2;
 typedef float3 real3;

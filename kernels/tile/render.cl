@@ -82,7 +82,7 @@ INLINE TileClass classify_area(const World *world, const Apex *apex, const Camer
 }
 
 /* Renders a block of tiles: at once if its rays have all in common, or else quarter by quarter. */
-INLINE void render_block(const World *world, const Apex *apex, const Camera *camera, int block, global uchar *rgb)
+NOINLINE void render_block(const World *world, const Apex *apex, const Camera *camera, int block, global uchar *rgb)
 {
     constant const Parameters *p = world->parameters;
     Classification classifications[2]; /* the block's, its quarter's */
@@ -109,10 +109,11 @@ INLINE void render_block(const World *world, const Apex *apex, const Camera *cam
 }
 
 /* One work-item per block of the band; surplus work-items do nothing. */
-kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
-                   global const wide *planes, global const real *materials, global const real *lights,
-                   global const real *view, global uchar *rgb, volatile global uint *totals,
-                   global const float *tree_floats, global const int *tree_ints)
+kernel FULL_LANES
+void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
+            global const wide *planes, global const real *materials, global const real *lights,
+            global const real *view, global uchar *rgb, volatile global uint *totals,
+            global const float *tree_floats, global const int *tree_ints)
 {
     uint counters[COUNTER_KINDS] = {0};
     World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights,
