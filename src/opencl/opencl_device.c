@@ -43,6 +43,7 @@ static DeviceInfo describe(cl_device_id device, const char *platform, int number
     device_text(device, CL_DEVICE_NAME, info.name, sizeof info.name);
     device_text(device, CL_DEVICE_VERSION, info.version, sizeof info.version);
     device_text(device, CL_DRIVER_VERSION, info.driver, sizeof info.driver);
+    device_text(device, CL_DEVICE_OPENCL_C_VERSION, info.c_version, sizeof info.c_version);
     cl_ulong type = device_number(device, CL_DEVICE_TYPE, sizeof(cl_device_type));
     bool is_cpu = (type & CL_DEVICE_TYPE_CPU) != 0;
     strcpy(info.type, is_cpu ? "CPU" : type & CL_DEVICE_TYPE_GPU ? "GPU" : "accelerator");

@@ -11,6 +11,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The kernels are OpenCL C 1.2. A device that does not tell its version is tried. */
+static bool check_language(const DeviceInfo *info, Error *error)
+{
+    int major, minor;
+    if (sscanf(info->c_version, "OpenCL C %d.%d", &major, &minor) != 2 || 10 * major + minor >= 12)
+        return true;
+    return error_set(error, ERROR_SYSTEM,
+                     "the device %s knows %s only, and the kernels need OpenCL C 1.2; choose another device (see "
+                     "`rectray devices`), or use --backend reference",
+                     info->name, info->c_version);
+}
+
 static bool choose_lanes(OpenclSession *session, const RenderSettings *settings, Error *error)
 {
     bool is_double = settings->precision == PRECISION_DOUBLE;
@@ -167,7 +179,8 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
     session->no_skip = settings->no_skip;
     session->shift = settings->shift;
     if (!opencl_find_device(settings->device, settings->threads, &session->device, &session->info, error) ||
-        !choose_lanes(session, settings, error) || !open_context(session, error))
+        !check_language(&session->info, error) || !choose_lanes(session, settings, error) ||
+        !open_context(session, error))
         return false;
     report->lanes = session->lanes;
     report->threads = session->info.compute_units;
