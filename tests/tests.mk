@@ -10,11 +10,13 @@ SCRIPT_TESTS := $(wildcard tests/$(suite)_test.py tests/$(suite)_test.sh)
 
 STRESS         := $(BUILD)/stress
 FAULTS         := $(BUILD)/faults/memory.so $(BUILD)/faults/opencl.so
+SHIM           := $(BUILD)/shims/opencl_device.so
 RANDOM_COMPARE := $(BUILD)/compare_scenes
 
 # Programs that a script runs beside rectray.
 SCRIPT_TEST_PROGRAMS := $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS)) \
     $(if $(filter %/faults_test.py,$(SCRIPT_TESTS)),$(FAULTS)) \
+    $(if $(filter %/devices_test.py,$(SCRIPT_TESTS)),$(SHIM)) \
     $(if $(filter %/random_scenes_test.sh,$(SCRIPT_TESTS)),$(RANDOM_COMPARE))
 
 STRESS_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/stress/*.c)) $(BUILD)/tests/support/oracle.o
@@ -63,10 +65,18 @@ $(BUILD)/tests/test_fuzz: $(FUZZ_OBJECTS)
 $(BUILD)/tests/test_fuzz: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
 
 # What fails on command under the program: memory, OpenCL. A sanitizer looks through it for the caller.
+PRELOADED = $(CC) -std=gnu11 $(WARNINGS) $(WERROR) -O1 -g -fno-omit-frame-pointer -shared -fPIC
+
 $(BUILD)/faults/%.so: tests/faults/%.c
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
-	$(Q)$(CC) -std=gnu11 $(WARNINGS) $(WERROR) -O1 -g -fno-omit-frame-pointer -shared -fPIC $< -ldl -o $@
+	$(Q)$(PRELOADED) $< -ldl -o $@
+
+# A device that poses as another under the program.
+$(BUILD)/shims/%.so: tests/shims/%.c
+	@mkdir -p $(@D)
+	$(call say,compile,$<)
+	$(Q)$(PRELOADED) $< -ldl -o $@
 
 # --- Stress: `make test` runs a small part of it, `make stress` all of it -------------------------------------
 

@@ -1,0 +1,172 @@
+"""Devices that are not here: tests/shims/opencl_device.c lets this one say that it has no double, that it is a GPU, or
+that its compiler is another. The pictures must be right all the same, and where they are not without double, they must
+be no worse than docs/devices.md says."""
+import glob
+import json
+import os
+import unittest
+
+from support.program import PROGRAM, CommandTest, png_pixels
+
+SHIM = os.path.join(os.path.dirname(PROGRAM), "shims", "opencl_device.so")
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+# Without double, these scenes may be off in so many pixels, by so much: docs/devices.md.
+LOST_WITHOUT_DOUBLE = {"eye_on_a_plane": (33, 227)}
+
+# See tests/faults_test.py.
+with open(PROGRAM, "rb") as program:
+    SANITIZED = b"__asan_init" in program.read()
+
+
+def scenes():
+    return sorted(glob.glob(os.path.join(ROOT, "tests/scenes/*.json")) + glob.glob(os.path.join(ROOT, "scenes/*.json")))
+
+
+def name_of(scene):
+    return os.path.splitext(os.path.basename(scene))[0]
+
+
+def size_of(scene):
+    """Small pictures, but those that are small already in their own size, which some are made for."""
+    with open(scene, encoding="utf-8") as file:
+        screen = json.load(file).get("screen", {})
+    small = screen.get("columns", 640) * screen.get("rows", 480) <= 10000
+    return [] if small else ["--size", "61x47", "--grid", "1"]
+
+
+class ShimTest(CommandTest):
+    def environment(self, **settings):
+        environment = dict(os.environ, LD_PRELOAD=SHIM, **settings)
+        if SANITIZED:
+            environment["ASAN_OPTIONS"] = environment.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0"
+        return environment
+
+    def pixels(self, scene, *words, **settings):
+        env = self.environment(**settings) if settings else None
+        self.run_program("render", scene, "-q", "-o", "a.png", *(words or ()), env=env)
+        return sum(png_pixels(self.bytes_of("a.png")), [])
+
+    def log(self):
+        with open(self.path("log"), encoding="utf-8") as file:
+            return file.read().splitlines()
+
+    def differences(self, scene, words, picture_words, **settings):
+        """By how much each pixel is off the reference's."""
+        expected = self.pixels(scene, *words, "--backend", "reference")
+        picture = self.pixels(scene, *words, *picture_words, **settings)
+        self.assertEqual(len(expected), len(picture))
+        return [max(abs(a - b) for a, b in zip(p, q)) for p, q in zip(expected, picture)]
+
+    def check(self, scene, words, picture_words, bound, **settings):
+        pixels, most = bound
+        with self.subTest(scene=name_of(scene), words=picture_words, **settings):
+            off = self.differences(scene, words, picture_words, **settings)
+            self.assertLessEqual(sum(d > 1 for d in off), pixels)
+            self.assertLessEqual(max(off), most)
+
+
+class Gpu(ShimTest):
+    def test_one_ray_per_item_renders_every_scene_right(self):
+        for scene in scenes():
+            self.check(scene, size_of(scene), [], (0, 1), SHIM_GPU="1")
+            self.check(scene, size_of(scene), ["--precision", "double"], (0, 0), SHIM_GPU="1")
+
+    def test_items_come_in_groups_of_64(self):
+        out, _ = self.run_program("devices", env=self.environment(SHIM_GPU="1"))
+        self.assertRegex(out.decode(), r"(?m)^0: .* \(GPU\)$[^:]*^   rays at once   1 in float, 1 in double$")
+        for words in ([], ["--kernel", "plain"], ["--sampling", "adaptive:4"]):
+            self.pixels("scene.json", *words, SHIM_GPU="1", SHIM_LOG=self.path("log"))
+        launches = [line.split()[1:] for line in self.log() if line.startswith("LAUNCH")]
+        self.assertGreaterEqual(len(launches), 3)
+        for items, group in launches:
+            self.assertEqual((int(items) % 64, group), (0, "64"))
+
+
+class NoDouble(ShimTest):
+    def test_every_scene_meets_its_bound(self):
+        for scene in scenes():
+            bound = LOST_WITHOUT_DOUBLE.get(name_of(scene), (0, 1))
+            for words in (["--lanes", "1"], []):
+                self.check(scene, size_of(scene), words, bound, SHIM_NO_DOUBLE="1")
+
+    def test_the_first_scene_is_off_in_a_few_pixels(self):
+        scene = os.path.join(ROOT, "scenes/original.json")
+        self.check(scene, ["--size", "160x120", "--grid", "1"], [], (6, 19), SHIM_NO_DOUBLE="1")
+
+    def test_the_other_kernels_run(self):
+        scene = os.path.join(ROOT, "tests/scenes/many_lights.json")
+        for sampling, kernel in (("uniform:1", ["--kernel", "plain"]), ("adaptive:4", [])):
+            self.check(scene, ["--size", "61x47", "--sampling", sampling], kernel, (0, 1), SHIM_NO_DOUBLE="1")
+        for command in (None, self.environment(SHIM_NO_DOUBLE="1")):
+            out, _ = self.run_program("cast", "scene.json", text_in="1000.5 .5 1 0 0 -1\n", env=command)
+            self.assertEqual(out.splitlines()[1].split(b",")[:2], [b"0", b"1"])
+
+    def test_double_is_refused_with_a_way_out(self):
+        _, err = self.run_program("render", "scene.json", "-p", "double", "-o", "a.png", status=3,
+                                  env=self.environment(SHIM_NO_DOUBLE="1"))
+        self.assertRegex(err, r"has no double precision; use --precision float\n$")
+        self.assertEqual(self.files(), [])
+
+
+class Language(ShimTest):
+    def test_older_than_1_2_is_an_error(self):
+        for version, status in (("OpenCL C 1.1 old", 3), ("OpenCL C 1.0 ", 3), ("OpenCL C 1.2 fine", 0),
+                                ("OpenCL C 3.0", 0), ("untold", 0)):
+            for words in (["render", "scene.json", "-o", "a.png"], ["cast", "scene.json"]):
+                _, err = self.run_program(*words, text_in="0 0 0 1 1 1\n", status=status,
+                                          env=self.environment(SHIM_C_VERSION=version))
+                if status:
+                    self.assertIn(f"knows {version} only, and the kernels need OpenCL C 1.2; choose another", err)
+                    self.assertIn("--backend reference", err)
+
+
+class Compiler(ShimTest):
+    GRID = os.path.join(ROOT, "tests/scenes/grid.json")
+
+    def environment(self, **settings):
+        """Nothing is kept from an earlier run, so that the compiler speaks."""
+        return super().environment(RECTRAY_CACHE_DIR="", POCL_CACHE_DIR=self.path("cache"), SHIM_LOG=self.path("log"),
+                                   **settings)
+
+    def builds(self, no_double):
+        """Commands, each of which builds another program."""
+        self.put("rays", "0 0 9 0 0 -1\n")
+        render, cast = ["render", self.GRID, "-o", "a.png"], ["cast", self.GRID, "--rays", "rays"]
+        for kernel in (render, render + ["--sampling", "adaptive:4"], cast):
+            for lanes in ("1", "16") if no_double else ("16",):
+                yield kernel + ["--accel", "bvh", "--lanes", lanes]
+        yield render + ["--kernel", "plain"]
+        if not no_double:
+            yield render + ["--accel", "kdtree", "--precision", "double"]
+
+    def test_it_has_nothing_to_say(self):
+        for settings in ({"SHIM_NO_DOUBLE": "1"}, {}):
+            for words in self.builds(bool(settings)):
+                self.put("log", "")
+                self.run_program(*words, status=3, env=self.environment(SHIM_BUILD="refused", **settings))
+                built, *said = self.log()
+                with self.subTest(words=words[2:], **settings):
+                    self.assertTrue(built.startswith("BUILT -D"), built)
+                    self.assertEqual(said, [])
+
+    def test_one_that_refuses_prefetching_or_lacks_builtins_will_do(self):
+        words = ["--accel", "bvh", "--lanes", "4"]
+        expected = self.pixels(self.GRID, *words)
+        for compiler in ("spirv", "bare"):
+            self.assertEqual(self.pixels(self.GRID, *words, SHIM_COMPILER=compiler), expected)
+
+    def test_every_kernel_of_lanes_says_so(self):
+        """A compiler that puts work-items side by side wants to know that a work-item is wide already."""
+        found = 0
+        for name in glob.glob(os.path.join(ROOT, "kernels/*/*.cl")):
+            with open(name, encoding="utf-8") as file:
+                text = file.read()
+            if "\nkernel " in text:
+                found += 1
+                self.assertIn("\nkernel FULL_LANES\nvoid ", text, name)
+        self.assertEqual(found, 4)
+
+
+if __name__ == "__main__":
+    unittest.main()
