@@ -22,7 +22,8 @@ static const Command commands[] = {
      command_bench},
     {"tree", "SCENE", 1, 1, "Shows the trees of a scene: their size, how they are built, their boxes.", command_tree},
     {"generate", "KIND", 1, 1, "Writes a scene of a given size: menger, city or grid.", command_generate},
-    {"devices", "", 0, 0, "Lists the OpenCL devices.", command_devices},
+    {"devices", "[N]", 0, 1, "Lists the OpenCL devices, or device N; with --check, tells whether it works.",
+     command_devices},
     {0},
 };
 

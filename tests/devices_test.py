@@ -4,6 +4,7 @@ be no worse than docs/devices.md says."""
 import glob
 import json
 import os
+import shutil
 import unittest
 
 from support.program import PROGRAM, CommandTest, png_pixels
@@ -74,7 +75,7 @@ class Gpu(ShimTest):
 
     def test_items_come_in_groups_of_64(self):
         out, _ = self.run_program("devices", env=self.environment(SHIM_GPU="1"))
-        self.assertRegex(out.decode(), r"(?m)^0: .* \(GPU\)$[^:]*^   rays at once   1 in float, 1 in double$")
+        self.assertRegex(out.decode(), r"\A0: .* \(GPU\)\n(   .*\n)*   rays at once   1 in float, 1 in double\n")
         for words in ([], ["--kernel", "plain"], ["--sampling", "adaptive:4"]):
             self.pixels("scene.json", *words, SHIM_GPU="1", SHIM_LOG=self.path("log"))
         launches = [line.split()[1:] for line in self.log() if line.startswith("LAUNCH")]
@@ -98,9 +99,9 @@ class NoDouble(ShimTest):
         scene = os.path.join(ROOT, "tests/scenes/many_lights.json")
         for sampling, kernel in (("uniform:1", ["--kernel", "plain"]), ("adaptive:4", [])):
             self.check(scene, ["--size", "61x47", "--sampling", sampling], kernel, (0, 1), SHIM_NO_DOUBLE="1")
-        for command in (None, self.environment(SHIM_NO_DOUBLE="1")):
-            out, _ = self.run_program("cast", "scene.json", text_in="1000.5 .5 1 0 0 -1\n", env=command)
-            self.assertEqual(out.splitlines()[1].split(b",")[:2], [b"0", b"1"])
+        for env in (None, self.environment(SHIM_NO_DOUBLE="1")):
+            out, _ = self.run_program("cast", "scene.json", text_in="1000.5 .5 1 0 0 -1\n", env=env)
+            self.assertEqual(out.splitlines()[1].split(b",")[:2], [b"0", b"0"])
 
     def test_double_is_refused_with_a_way_out(self):
         _, err = self.run_program("render", "scene.json", "-p", "double", "-o", "a.png", status=3,
@@ -166,6 +167,79 @@ class Compiler(ShimTest):
                 found += 1
                 self.assertIn("\nkernel FULL_LANES\nvoid ", text, name)
         self.assertEqual(found, 4)
+
+
+class Check(ShimTest):
+    """`rectray devices --check`."""
+    KERNELS = ["packet, float", "packet, double", "plain, float", "adaptive, float", "cast, float"]
+
+    def check_device(self, *words, status=0, **options):
+        out, err = self.run_program("devices", "--check", "--json", *words, status=status, **options)
+        return json.loads(out), err
+
+    def test_the_device_here_is_right(self):
+        found, err = self.check_device("0")
+        self.assertEqual(err, "")
+        self.assertEqual((found["verdict"], found["wrong"], found["device"]["number"]), ("right", 0, 0))
+        self.assertRegex(found["device"]["language"], r"^OpenCL C \d")
+        kernels = [kernel for kernel in self.KERNELS for _ in range(2)]
+        if not found["device"]["double"]:
+            kernels = [kernel for kernel in kernels if "double" not in kernel]
+        self.assertEqual([step["kernel"] for step in found["steps"]], kernels)
+        self.assertEqual([step["scene"] for step in found["steps"]], ["room", "boxes"] * (len(kernels) // 2))
+        for step in found["steps"]:
+            self.assertTrue(step["right"] and step["ran"] and step["message"] == "", step)
+            self.assertEqual(step["compared"], 64 * 48)
+            self.assertTrue(step["compile_ms"] > 0 and step["trace_ms"] > 0, step)
+
+    def test_text_has_a_row_for_each_step_and_a_verdict(self):
+        out, _ = self.run_program("devices", "--check")
+        *rows, last = out.decode().splitlines()
+        self.assertEqual(last, "verdict: right")
+        steps = [row for row in rows if " compiled in " in row]
+        self.assertEqual(len(steps), 10)
+        for step in steps:
+            self.assertRegex(step, r" compiled in +\d+ ms, traced in +\d+\.\d ms, [01] of 3072 off$")
+        self.assertTrue(any(row.startswith("0: ") for row in rows))
+
+    def test_without_double_it_says_so(self):
+        found, _ = self.check_device(env=self.environment(SHIM_NO_DOUBLE="1"))
+        self.assertEqual((found["verdict"], found["device"]["double"]), ("right without double", False))
+        self.assertEqual(len(found["steps"]), 8)
+
+    def test_a_kernel_that_is_wrong_is_found(self):
+        shutil.copytree(os.path.join(ROOT, "kernels"), self.path("kernels"))
+        name = self.path("kernels/packet/bytes.cl")
+        with open(name, encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn("(real)255 * c", text)
+        self.put("kernels/packet/bytes.cl", text.replace("(real)255 * c", "(real)240 * c"))
+        found, err = self.check_device(status=3, env=dict(os.environ, RECTRAY_KERNELS=self.path("kernels")))
+        self.assertEqual(found["verdict"], "wrong")
+        for step in found["steps"]:
+            wrong = step["kernel"][0] in "pa" and "plain" not in step["kernel"] # those that use this file
+            self.assertEqual(step["right"], not wrong, step)
+            self.assertEqual(step["off"] > 1000 and 10 < step["most_off"] <= 15, wrong, step)
+        self.assertRegex(err, r"^rectray: device 0 is wrong in 6 of 10 checks; docs/devices.md tells what to do")
+
+    def test_a_compiler_that_fails_is_told_for_each_kernel(self):
+        found, err = self.check_device(status=3, env=self.environment(SHIM_BUILD="refused"))
+        self.assertEqual(found["wrong"], len(found["steps"]))
+        for step in found["steps"]:
+            self.assertFalse(step["ran"] or step["right"])
+            self.assertIn("the kernels do not compile for ", step["message"])
+        self.assertIn("is wrong in 10 of 10 checks", err)
+        out, _ = self.run_program("devices", "--check", status=3, env=self.environment(SHIM_BUILD="refused"))
+        self.assertEqual(out.count(b" FAILED: the kernels do not compile"), 10)
+        self.assertIn(b"verdict: wrong in 10 of 10 checks", out)
+
+    def test_devices_are_chosen_by_number(self):
+        every, one = (self.run_program("devices", *words)[0].decode() for words in ([], ["0"]))
+        self.assertTrue(every.startswith(one) and one.startswith("0: "))
+        found = json.loads(self.run_program("devices", "--json")[0])["devices"]
+        self.assertEqual([device["number"] for device in found], list(range(len(found))))
+        for words in (["x"], ["-1"], ["9999"], ["99999"], ["--check", "9999"], ["0", "0"]):
+            self.assertIn("devices", self.run_program("devices", *words, status=2)[1])
 
 
 if __name__ == "__main__":

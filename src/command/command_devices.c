@@ -1,31 +1,67 @@
-/* rectray devices: the OpenCL devices with the numbers that --device takes. */
+/* rectray devices: the OpenCL devices with the numbers that --device takes. With --check: whether one works. */
 #include "command/command.h"
-#include "opencl/opencl_device.h"
+#include "command/device_check.h"
+#include "command/device_report.h"
 
 #include <stdlib.h>
 
-static void print_device(const DeviceInfo *device)
+/* --- The check --- */
+
+static void say_nothing(void *user, const DeviceCheckStep *step)
 {
-    printf("%d: %s (%s)\n", device->number, device->name, device->type);
-    printf("   platform       %s\n", device->platform);
-    printf("   version        %s, driver %s\n", device->version, device->driver);
-    printf("   compute units  %d\n", device->compute_units);
-    printf("   memory         %.1f GiB\n", (double)device->memory_bytes / 1073741824);
-    if (device->has_double)
-        printf("   rays at once   %d in float, %d in double\n", device->lanes_float, device->lanes_double);
-    else
-        printf("   rays at once   %d in float; no double\n", device->lanes_float);
+    (void)user;
+    (void)step;
+}
+
+static bool check_device(const Options *options, int number, Error *error)
+{
+    DeviceCheck *check = calloc(1, sizeof *check);
+    if (!check)
+        return error_memory(error, "the check of a device");
+    DeviceCheckListener rows = {device_report_before, device_report_after, NULL},
+                        silent = {say_nothing, say_nothing, NULL};
+    bool ok = device_check(check, number, options->json ? silent : rows, error);
+    if (ok && options->json)
+        ok = device_report_json(check, error);
+    else if (ok)
+        device_report_verdict(check);
+    if (ok && check->wrong > 0)
+        ok = error_set(
+            error, ERROR_SYSTEM,
+            "device %d is wrong in %d of %d checks; docs/devices.md tells what to do, and --backend reference "
+            "needs no device",
+            check->device.number, check->wrong, check->count);
+    free(check);
+    return ok;
+}
+
+/* --- The list --- */
+
+/* The operand; -1 where there is none. */
+static bool read_number(const Options *options, int *number, Error *error)
+{
+    *number = -1;
+    if (options->operand_count == 0 || option_read_int(options->operands[0], 0, 9999, '\0', number))
+        return true;
+    return error_set(error, ERROR_USAGE, "devices '%s': expected a number that `rectray devices` lists",
+                     options->operands[0]);
 }
 
 bool command_devices(const Options *options, Error *error)
 {
-    (void)options;
+    int number;
+    if (!read_number(options, &number, error))
+        return false;
+    if (options->check)
+        return check_device(options, number, error);
     DeviceInfo *devices = NULL;
     int count = 0;
     if (!opencl_devices(&devices, &count, error))
         return false;
-    for (int i = 0; i < count; i++)
-        print_device(&devices[i]);
+    bool ok =
+        number < count || error_set(error, ERROR_USAGE, "devices %d: there is no such device; the devices are 0 to %d",
+                                    number, count - 1);
+    ok = ok && device_report_list(devices, count, number, options->json, error);
     free(devices);
-    return true;
+    return ok;
 }

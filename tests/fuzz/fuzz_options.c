@@ -16,7 +16,7 @@ static const Command COMMANDS[] = {
     {"compare", "A.png B.png", 2, 2, "", NULL},
     {"bench", "[SCENE...]", 0, MAX_OPERANDS, "", NULL},
     {"generate", "KIND", 1, 1, "", NULL},
-    {"devices", "", 0, 0, "", NULL},
+    {"devices", "[N]", 0, 1, "", NULL},
     {0},
 };
 
