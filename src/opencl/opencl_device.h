@@ -10,7 +10,7 @@ typedef struct DeviceInfo {
     int number; /* for --device */
     char platform[128], name[128], version[128], driver[128];
     char c_version[128]; /* of the language: "OpenCL C 1.2", and what the vendor adds */
-    char type[16]; /* "CPU", "GPU", "accelerator" */
+    char type[16];       /* "CPU", "GPU", "accelerator" */
     int compute_units;
     int has_double;
     int lanes_float, lanes_double; /* what the backend would use */
