@@ -107,6 +107,21 @@ $(RANDOM_COMPARE): $(RANDOM_OBJECTS) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(LINK) $^ $(LIBS) -o $@
 
+# --- Another driver -------------------------------------------------------------------------------------------
+
+# The suites that render. Intel's compiler takes its time with the kernels: minutes where nothing is kept.
+DRIVER_SUITES ?= backends cast commands determinism
+INTEL          = OCL_ICD_VENDORS=$(abspath build/icd)
+
+.PHONY: test-opencl
+test-opencl: ## run the suites that render on Intel's CPU runtime, fetched into build/ under its licence (225 MB)
+	@$(SETUP) build run test
+	@.ci/intel
+	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	@$(INTEL) $(PROGRAM) devices
+	@$(foreach one,$(DRIVER_SUITES),$(INTEL) $(MAKE) --no-print-directory --silent test suite=$(one) \
+	    RERUN="make test-opencl DRIVER_SUITES=$(one)" &&) :
+
 # --- Texts that are renewed -----------------------------------------------------------------------------------
 
 .PHONY: golden
