@@ -14,8 +14,8 @@ typedef struct PixelWish {
 } PixelWish;
 
 /* The pixel in the middle of those that fit, or the darkest. A face is looked for in mirrors where it is not seen
- * directly. A large picture is searched in steps of several pixels, and pixel by pixel where that finds none. Fails with
- * an ERROR_USAGE that says what no pixel shows. */
+ * directly. A large picture is searched in steps of several pixels, and pixel by pixel where that finds none. Fails
+ * with an ERROR_USAGE that says what no pixel shows. */
 bool pixel_search(const Scene *scene, const PixelWish *wish, int *column, int *row, Error *error);
 
 #endif
