@@ -212,7 +212,7 @@ const Option option_table[] = {
     {"folder", 0, "FOLDER", "bench", "keep scenes, data of plots and pictures there; it is made",
      TEXT(folder), .expects = "the name of a folder"},
     {"repeats", 0, "N", "bench", "pictures to take the median of (default 5)", NUMBER(repeats, 1, 99)},
-    {"check", 0, NULL, "devices", "compile every kernel, render two scenes, hold them against the reference",
+    {"check", 0, NULL, "devices", "compile every kernel, render two scenes, compare with the reference",
      FLAG(check)},
     {"json", 0, NULL, "bench devices", "print one JSON object instead of tables", FLAG(json)},
     {"backend", 'b', "NAME", "render cast", "opencl (default), or reference: plain C in double",
