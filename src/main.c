@@ -22,8 +22,7 @@ static const Command commands[] = {
      command_bench},
     {"tree", "SCENE", 1, 1, "Shows the trees of a scene: their size, how they are built, their boxes.", command_tree},
     {"generate", "KIND", 1, 1, "Writes a scene of a given size: menger, city or grid.", command_generate},
-    {"devices", "[N]", 0, 1, "Lists the OpenCL devices, or device N; with --check, tells whether it works.",
-     command_devices},
+    {"devices", "[N]", 0, 1, "Lists the OpenCL devices, or device N; --check: does it work?", command_devices},
     {0},
 };
 
