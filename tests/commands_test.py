@@ -90,7 +90,7 @@ class Render(CommandTest):
         self.assertEqual(refined("--grid", "2", "--sampling", "uniform:1"), (15, 0))
 
     def test_maps_show_what_pixels_cost_and_meet(self):
-        for kind in ("rays", "time", "depth", "normal", "face"):
+        for kind in ("rays", "time", "depth", "normal", "face", "tests"):
             _, err = self.render("--map", kind, "map.png", "--size", "5x4")
             self.assertIn("map.png: ", err)
             pixels = png_pixels(self.bytes_of("map.png"))
@@ -98,6 +98,23 @@ class Render(CommandTest):
             self.assertGreater(len(set(sum(pixels, []))), 1, kind)
         scale = self.render("--map", "rays", "map.png", "--sampling", "adaptive:2")[1]
         self.assertRegex(scale, r"rays per pixel, from [1-9]\d* \(black\) to [1-9]\d* \(white\)")
+
+    def test_maps_of_tests_can_be_set_side_by_side(self):
+        def bright(*words):
+            err = self.render("--map", "tests", "map.png", "--size", "16x12", *words)[1]
+            low, high = re.search(r"tested per pixel, from (\S+) \(black\) to (\S+) \(white\)", err).groups()
+            return float(low), float(high), sum(map(sum, sum(png_pixels(self.bytes_of("map.png")), [])))
+        low, high, _ = bright("--accel", "none")
+        self.assertTrue(0 < low < high)
+        stats = json.loads(self.render("--size", "16x12", "--accel", "none", "--stats=json")[0])
+        self.assertTrue(low <= stats["tests"]["face"] / 192 <= high)
+        scale = ("--map-scale", f"{low:g}:{100 * high:g}")
+        self.assertEqual(bright("--accel", "none", *scale)[:2], (low, 100 * high))
+        self.assertLess(bright("--accel", "none", *scale)[2], bright("--accel", "none")[2])
+        for text, *words in (["two numbers above 0", "--map-scale", "5:2"],
+                             ["two numbers above 0", "--map-scale", "0:2"],
+                             ["two numbers above 0", "--map-scale", "5"], ["needs --map", "--map-scale", "1:2"]):
+            self.assertIn(text, self.run_program("render", "scene.json", *words, status=2)[1])
 
     def test_maps_that_cannot_be_are_refused(self):
         for text, *words in (["needs --backend reference", "time", "map.png"], ["the name of a file", "rays"],

@@ -100,7 +100,7 @@ static void map_of_rays_should_have_a_scale(void)
     TEST_ASSERT_NOT_NULL(page_map(MAP_RAYS));
     TEST_ASSERT_EQUAL_DOUBLE(1, page_value(LOW));
     TEST_ASSERT_GREATER_THAN_INT(1, (int)page_value(HIGH));
-    TEST_ASSERT_NOT_NULL(page_map(MAP_TESTED));
+    TEST_ASSERT_NOT_NULL(page_map(MAP_TESTS));
     TEST_ASSERT_TRUE(page_value(HIGH) > 1);
 }
 

@@ -131,6 +131,9 @@ static void print_scale(const Options *options, MapScale scale)
     else if (options->map == MAP_DEPTH)
         fprintf(stderr, "%s: depth, from %.6g (white) to %.6g (dark grey); black: nothing is hit\n", file, scale.low,
                 scale.high);
+    else if (options->map == MAP_TESTS)
+        fprintf(stderr, "%s: faces and nodes tested per pixel, from %.6g (black) to %.6g (white)\n", file, scale.low,
+                scale.high);
     else if (options->map == MAP_NORMAL)
         fprintf(stderr, "%s: normals, x, y, z from -1 to 1 as red, green, blue; black: nothing is hit\n", file);
     else
@@ -151,7 +154,7 @@ static bool check_map(const Options *options, Error *error)
 static bool draw_map(const Options *options, const Scene *scene, Error *error)
 {
     Image image;
-    MapScale scale;
+    MapScale scale = {options->map_low, options->map_high};
     bool done =
         map_draw(&image, scene, options->map, options->settings.accel, options->settings.threads, &scale, error) &&
         image_write(&image, options->map_file, error);

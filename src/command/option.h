@@ -37,6 +37,7 @@ typedef struct Options {
     const char *second_value; /* of an option that takes two, while it is read */
     const char *map_file;     /* NULL: no map */
     MapKind map;
+    double map_low, map_high;                        /* of its colours; 0: not given */
     int bounces;                                     /* -1: as the scene says */
     int tolerance;                                   /* of 255 */
     int repeats;                                     /* of a measurement; 0: not given */

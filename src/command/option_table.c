@@ -23,7 +23,7 @@ static const char *const map_kinds[] = {[MAP_RAYS] = "rays",
                                         [MAP_DEPTH] = "depth",
                                         [MAP_NORMAL] = "normal",
                                         [MAP_FACE] = "face",
-                                        [MAP_TESTED] = "tested",
+                                        [MAP_TESTS] = "tests",
                                         NULL};
 
 static const char *const stats_formats[] = {"text", "json", NULL}; /* of STATS_TEXT and what comes after it */
@@ -141,6 +141,19 @@ static bool set_map(Options *o, const char *value)
     return index >= 0 && o->map_file && o->map_file[0] != '-' && o->map_file[0] != '\0';
 }
 
+/* "LOW:HIGH". */
+static bool set_map_scale(Options *o, const char *value)
+{
+    char *end;
+    if (!isdigit((unsigned char)value[0]))
+        return false;
+    o->map_low = strtod(value, &end);
+    if (*end != ':' || !isdigit((unsigned char)end[1]))
+        return false;
+    o->map_high = strtod(end + 1, &end);
+    return *end == '\0' && o->map_low > 0 && o->map_high > o->map_low && o->map_high < 1e30;
+}
+
 static bool set_lanes(Options *o, const char *value)
 {
     static const int lanes[] = {1, 4, 8, 16};
@@ -170,8 +183,10 @@ const Option option_table[] = {
      OWN(set_grid), .expects = "a whole number from 1 to 16"},
     {"sampling", 0, "HOW", "render trace", "uniform:N as --grid; adaptive[:N]: 16 rays (N = 8) where needed",
      OWN(set_sampling), .expects = "uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16"},
-    {"map", 0, "KIND FILE", "render", "draw what pixels cost or show: rays, tested, time, depth, normal, face",
-     OWN(set_map), .expects = "rays, time, depth, normal, face or tested, and the name of a file"},
+    {"map", 0, "KIND FILE", "render", "what the pixels cost or show: rays, time, tests, depth, normal or face",
+     OWN(set_map), .expects = "rays, time, depth, normal, face or tests, and the name of a file"},
+    {"map-scale", 0, "LOW:HIGH", "render", "the numbers that the map shows black and white, for maps side by side",
+     OWN(set_map_scale), .expects = "two numbers above 0, the lower one first, such as 1:2000"},
     {"bounces", 0, "N", "render trace", "at most N reflected rays in a row, instead of the scene's",
      NUMBER(bounces, 0, SCENE_MAX_BOUNCES)},
     {"size", 0, "N", "generate", "menger: steps; city: boxes; grid: quads along a side. Must be given",

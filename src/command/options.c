@@ -158,6 +158,9 @@ bool options_agree(const Options *options, Error *error)
                          "--shift needs --arithmetic textbook: exact arithmetic finds the shift of each point");
     if (options->map_file && textbook)
         return error_set(error, ERROR_USAGE, "--map shows what exact arithmetic does; leave out --arithmetic textbook");
+    bool scaled = options->map_file && options->map != MAP_NORMAL && options->map != MAP_FACE;
+    if (options->map_high > 0 && !scaled)
+        return error_set(error, ERROR_USAGE, "--map-scale needs --map rays, time, depth or tests");
     return true;
 }
 

@@ -66,7 +66,7 @@ bool page_render_rows(Page *page, int first, int count, int step)
 bool page_draw_map(Page *page, MapKind kind)
 {
     Image image;
-    MapScale scale;
+    MapScale scale = {0, 0};
     bool done = map_draw(&image, &page->scene, kind, ACCEL_AUTO, 1, &scale, &page->error);
     if (done && !make_room(page, image.columns, image.rows))
         done = error_memory(&page->error, "the map");

@@ -6,6 +6,7 @@
 #include "picture/heat.h"
 #include "trace/reference.h"
 
+#include <float.h>
 #include <stdlib.h>
 
 #define NOTHING (-1.0) /* the value of a pixel whose ray leaves the scene; all others are >= 0 */
@@ -28,8 +29,8 @@ static double cost_of(const Map *map, int column, int row)
     double ms = clock_ms() - start;
     if (map->kind == MAP_TIME)
         return ms;
-    return (double)(map->kind == MAP_TESTED ? report.face_tests
-                                            : report.rays.primary + report.rays.shadow + report.rays.reflection);
+    return (double)(map->kind == MAP_TESTS ? report.face_tests + report.box_tests
+                                           : report.rays.primary + report.rays.shadow + report.rays.reflection);
 }
 
 /* The ray through the pixel's centre, and what it hits. */
@@ -63,7 +64,7 @@ static Vec3 colour_of_number(int number)
 static void map_pixel(const Map *map, int column, int row)
 {
     size_t at = (size_t)row * (size_t)map->scene->screen.columns + (size_t)column;
-    if (map->kind == MAP_RAYS || map->kind == MAP_TIME || map->kind == MAP_TESTED) {
+    if (map->kind == MAP_RAYS || map->kind == MAP_TIME || map->kind == MAP_TESTS) {
         map->values[at] = (float)cost_of(map, column, row);
         return;
     }
@@ -101,10 +102,13 @@ static MapScale range_of(const float *values, size_t count)
     return scale.low <= scale.high ? scale : (MapScale){0, 0};
 }
 
-/* Where a value stands between the lowest (0) and the highest (1), by its logarithm: equal ratios look equal. */
+/* Where a value stands between the lowest (0) and the highest (1), by its logarithm: equal ratios look equal. Beyond
+ * them it counts as they do. */
 static double place_of(double value, MapScale scale)
 {
-    return scale.low > 0 && scale.high > scale.low ? log(value / scale.low) / log(scale.high / scale.low) : 0;
+    if (!(scale.low > 0 && scale.high > scale.low))
+        return 0;
+    return fmin(fmax(log(fmax(value, DBL_MIN) / scale.low) / log(scale.high / scale.low), 0), 1);
 }
 
 /* Rays and time are hot where they are many; depth is grey, and bright where it is near. */
@@ -117,9 +121,10 @@ static void colour_value(unsigned char *rgb, MapKind kind, double value, MapScal
         put_colour(rgb, vec3(near, near, near));
 }
 
-static MapScale colour_values(Map *map, size_t count)
+/* By the given scale, or by the range of the values where there is none. */
+static MapScale colour_values(Map *map, size_t count, MapScale given)
 {
-    MapScale scale = range_of(map->values, count);
+    MapScale scale = given.high > 0 ? given : range_of(map->values, count);
     for (size_t i = 0; i < count; i++)
         colour_value(map->rgb + 3 * i, map->kind, (double)map->values[i], scale);
     return scale;
@@ -142,7 +147,7 @@ bool map_draw(Image *image, const Scene *scene, MapKind kind, AccelKind accel_ki
     if (ok) {
         map.accel = &accel;
         parallel_for(threads, scene->screen.rows, map_row, &map);
-        *scale = colours ? (MapScale){0, 0} : colour_values(&map, count);
+        *scale = colours ? (MapScale){0, 0} : colour_values(&map, count, *scale);
     }
     accel_free(&accel);
     free(map.values);

@@ -13,7 +13,8 @@ typedef struct MapScale {
     double low, high;
 } MapScale;
 
-/* Draws the map of the scene on `threads` threads (0: one per processor). The caller frees the image, also after a
+/* Draws the map of the scene, by the scale that is given, or, where its high is 0, by that of its own values, which it
+ * then receives, on `threads` threads (0: one per processor). The caller frees the image, also after a
  * failure, which is want of memory. */
 bool map_draw(Image *image, const Scene *scene, MapKind kind, AccelKind accel, int threads, MapScale *scale,
               Error *error);

@@ -32,7 +32,7 @@ typedef enum MapKind {
     MAP_DEPTH,  /* how far the ray through its centre goes */
     MAP_NORMAL, /* of the face that this ray hits, on its side */
     MAP_FACE,   /* that face */
-    MAP_TESTED, /* faces that its rays were tested against, of all kinds */
+    MAP_TESTS,  /* faces and nodes of a tree that its rays were tested against, of all kinds */
 } MapKind;
 
 /* Shows the user what takes long before there is a picture, such as "compiling ...": a few words, without a newline. */
