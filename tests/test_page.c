@@ -75,14 +75,17 @@ static void page_rows_should_be_those_of_the_whole_picture(void)
     free(whole);
 }
 
-static void coarse_rows_should_be_blocks_of_one_colour(void)
+static void coarse_rows_should_be_blocks_of_their_middles_colour(void)
 {
-    unsigned char middle[4];
-    memcpy(middle, page_rows(4, 1, 1) + 4 * 4, 4);
-    const unsigned char *coarse = page_rows(0, 12, 8);
-    for (int row = 0; row < 8; row++)
-        for (int column = 0; column < 8; column++)
-            TEST_ASSERT_EQUAL_MEMORY(middle, coarse + 4 * (row * 80 + column), 4);
+    unsigned char *coarse = malloc(80 * 60 * 4);
+    memcpy(coarse, page_rows(0, 60, 8), 80 * 60 * 4);
+    for (int row = 0; row < 56; row++)
+        for (int column = 0; column < 80; column++) {
+            const unsigned char *at = coarse + 4 * (row * 80 + column);
+            int middle = page_bytes(column / 8 * 8 + 4, row / 8 * 8 + 4, 0);
+            TEST_ASSERT_EQUAL_HEX32(middle, at[0] << 16 | at[1] << 8 | at[2]);
+        }
+    free(coarse);
 }
 
 static void rows_should_be_of_the_arithmetic_that_was_set(void)
@@ -120,6 +123,8 @@ static void steps_should_hold_all_of_the_text(void)
         const char *part = cJSON_GetObjectItem(step, "text")->valuestring;
         TEST_ASSERT_EQUAL_STRING_LEN(text + length, part, strlen(part));
         TEST_ASSERT_EQUAL_INT(++number, cJSON_GetObjectItem(step, "number")->valueint);
+        bool first = number <= 2; /* the primary ray and its nearest face: they look for P1 */
+        TEST_ASSERT_TRUE(!first || cJSON_GetObjectItem(step, "hit")->valueint == 1);
         length += strlen(part);
     }
     TEST_ASSERT_EQUAL_INT((int)strlen(text), (int)length);
@@ -173,14 +178,21 @@ static void places_should_have_the_screen_around_the_view(void)
     ASSERT_VEC3_WITHIN(1e-4, across.x, across.y, across.z, back);
 }
 
-static void tested_faces_should_be_all_but_the_one_that_the_ray_leaves(void)
+static int count_tested(int hit, int light, FaceVerdict verdict)
+{
+    int count = 0, numbers = page_tested(40, 36, 0, hit, light);
+    for (int k = 0; k < numbers; k += 2)
+        count += page_numbers()[k + 1] == (float)verdict;
+    return count;
+}
+
+static void tested_faces_should_be_those_of_the_search(void)
 {
     int faces = (int)page_value(FACES);
     TEST_ASSERT_EQUAL_INT(2 * faces, page_tested(40, 36, 0, 1, -1));
-    int inside = 0;
-    for (int k = 0; k < faces; k++)
-        inside += page_numbers()[2 * k + 1] == (float)FACE_INSIDE;
-    TEST_ASSERT_GREATER_THAN_INT(0, inside);
+    TEST_ASSERT_GREATER_THAN_INT(0, count_tested(1, -1, FACE_INSIDE));
+    TEST_ASSERT_EQUAL_INT(0, count_tested(1, -1, FACE_LEFT));
+    TEST_ASSERT_EQUAL_INT(1, count_tested(2, -1, FACE_LEFT));
     TEST_ASSERT_GREATER_THAN_INT(0, page_tested(40, 36, 0, 1, 0));
     TEST_ASSERT_EQUAL_INT(0, page_tested(40, 36, 0, 50, -1));
 }
@@ -218,7 +230,7 @@ int main(void)
     RUN_TEST(page_open_should_keep_the_scene_before_a_wrong_one);
     RUN_TEST(page_values_should_describe_the_scene);
     RUN_TEST(page_rows_should_be_those_of_the_whole_picture);
-    RUN_TEST(coarse_rows_should_be_blocks_of_one_colour);
+    RUN_TEST(coarse_rows_should_be_blocks_of_their_middles_colour);
     RUN_TEST(rows_should_be_of_the_arithmetic_that_was_set);
     RUN_TEST(map_of_rays_should_have_a_scale);
     RUN_TEST(steps_should_hold_all_of_the_text);
@@ -226,7 +238,7 @@ int main(void)
     RUN_TEST(answer_should_name_what_blocks_a_light);
     RUN_TEST(lists_should_have_their_numbers);
     RUN_TEST(places_should_have_the_screen_around_the_view);
-    RUN_TEST(tested_faces_should_be_all_but_the_one_that_the_ray_leaves);
+    RUN_TEST(tested_faces_should_be_those_of_the_search);
     RUN_TEST(nodes_should_be_those_of_the_search);
     RUN_TEST(names_should_be_the_walkthroughs);
     RUN_TEST(memory_should_be_lent);
