@@ -15,6 +15,7 @@ typedef struct Expansion {
     char *text; /* so far; ends in a NUL */
     size_t length, room;
     char done[MAX_SOURCES][MAX_NAME]; /* files that stand in it */
+    bool open[MAX_SOURCES];           /* of these, the ones that are not at their end */
     int done_count;
     Error *error;
 } Expansion;
@@ -87,7 +88,8 @@ static const char *text_of(const char *name, Place includer, char **read, Error 
         error_set(error, ERROR_SYSTEM, "%s/%s:%d: %s", folder ? folder : "kernels", includer.file, includer.line,
                   reason.text);
     else if (!text)
-        error_set(error, ERROR_SYSTEM, "%s", reason.text);
+        error_set(error, ERROR_SYSTEM, "%s%s", reason.text,
+                  folder ? "; RECTRAY_KERNELS must name a folder like kernels/" : "");
     return text;
 }
 
@@ -141,25 +143,33 @@ static bool expand_lines(Expansion *e, const char *name, const char *text)
     return append(e, "\n", 1);
 }
 
-static bool is_done(const Expansion *e, const char *name)
+/* The file's place among those that stand in the text; -1: it is not there. */
+static int find_done(const Expansion *e, const char *name)
 {
     for (int i = 0; i < e->done_count; i++)
         if (strcmp(e->done[i], name) == 0)
-            return true;
-    return false;
+            return i;
+    return -1;
 }
 
 static bool expand(Expansion *e, const char *name, Place includer)
 {
-    if (is_done(e, name))
+    int found = find_done(e, name);
+    if (found >= 0 && e->open[found])
+        return error_set(e->error, ERROR_SYSTEM, "%s/%s:%d: %s is included in a circle: it leads to this line itself",
+                         folder_of_kernels() ? folder_of_kernels() : "kernels", includer.file, includer.line, name);
+    if (found >= 0)
         return true;
     if (e->done_count == MAX_SOURCES)
         return error_set(e->error, ERROR_SYSTEM, "the kernels include more than %d files", MAX_SOURCES);
-    snprintf(e->done[e->done_count++], MAX_NAME, "%s", name);
+    int place = e->done_count++;
+    snprintf(e->done[place], MAX_NAME, "%s", name);
+    e->open[place] = true;
     char *read;
     const char *text = text_of(name, includer, &read, e->error);
     bool ok = text && expand_lines(e, name, text);
     free(read);
+    e->open[place] = false;
     return ok;
 }
 

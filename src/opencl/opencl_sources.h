@@ -14,8 +14,8 @@
  * `#include TREE` stands for the file packet/NAME.cl of the tree, `#include BEAM_TREE` for adaptive/beam_NAME.cl and
  * `#include PLAIN_TREE` for plain/NAME.cl; `#include ARITHMETIC` for plain/NAME_arithmetic.cl.
  * The files are those inside the program, or those of the folder that the environment variable RECTRAY_KERNELS names.
- * NULL, with the error filled: a file cannot be read, or there is none of that name. The error names the line that
- * includes the file. */
+ * NULL, with the error filled: a file cannot be read, there is none of that name, or files include one another. The
+ * error names the line that includes the file. */
 char *opencl_sources(const char *root, const char *tree, const char *arithmetic, Error *error);
 
 #endif
