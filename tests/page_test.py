@@ -255,7 +255,7 @@ class InBrowser(unittest.TestCase):
     def test_maps_are_the_programs(self):
         self.open(GALLERY)
         with tempfile.TemporaryDirectory() as folder:
-            for kind in ("rays", "depth", "normal", "face", "tested"):
+            for kind in ("rays", "depth", "normal", "face", "tests"):
                 with self.subTest(kind):
                     self.value(f"chooseMap('{kind}')")
                     self.wait("!$('map').hidden")

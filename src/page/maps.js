@@ -7,7 +7,7 @@ const MAPS = {
     depth: [2, 'how far its ray goes: white is near'],
     normal: [3, 'N of the face that it shows'],
     face: [4, 'that face'],
-    tested: [5, 'faces and nodes tested for the pixel'],
+    tests: [5, 'faces and nodes tested for the pixel'],
 };
 
 function chooseMap(name) {
