@@ -325,6 +325,52 @@ class Drawings(CommandTest):
         self.assertIn("odd <&> name.json", text)
         self.assertIn("<tile> & 'pane' \"1\"/0", text)
 
+    def test_the_svg_is_not_mirrored_against_the_picture(self):
+        """A face on the left of the picture is on the left of the view from the front, wherever the camera looks."""
+        for z, x in ((4, -1), (-4, 1)):  # along -z, -x is left; along +z, +x is
+            tile = [[x - 0.2, -0.2, 0], [x + 0.2, -0.2, 0], [x + 0.2, 0.2, 0], [x - 0.2, 0.2, 0]]
+            self.put("scene.json", json.dumps({
+                "camera": {"position": [0, 0, z], "look_at": [0, 0, 0]},
+                "screen": {"columns": 9, "rows": 9, "width": 1},
+                "materials": {"m": {}}, "lights": [{"position": [0, 5, z]}],
+                "objects": [{"material": "m", "vertices": tile, "faces": [[0, 1, 2, 3]]}]}))
+            svg = self.run_program("trace", "scene.json", "--face", "objects[0]", "--format", "svg")[0].decode()
+            root = xml.etree.ElementTree.fromstring(svg)
+            labels = {e.text: float(e.get("x")) for e in root.iter("{http://www.w3.org/2000/svg}text")
+                      if e.get("class") == "label"}
+            column = int(re.search(r"Pixel \((\d+)", svg)[1])
+            self.assertLess(column, 4)
+            titles = [e.text for e in root.iter("{http://www.w3.org/2000/svg}text") if e.get("class") == "title"]
+            if "seen from the front" in titles:
+                self.assertLess(labels["P1"], labels["C"])
+
+    def test_the_svg_shows_leaving_rays_lights_and_close_hits(self):
+        original = os.path.join(HERE, "scenes/original.json")
+        svg = self.run_program("trace", original, "--pixel", "40,36", "--format", "svg")[0].decode()
+        self.assertIn(">out</text>", svg)
+        self.assertIn("light 0</text>", svg)
+        gallery = os.path.join(HERE, "scenes/gallery.json")
+        svg = self.run_program("trace", gallery, "--pixel", "900,380", "--format", "svg")[0].decode()
+        self.assertEqual(svg.count("class='frame'"), 4)
+        self.assertEqual(svg.count("class='zoom'"), 2)
+        self.assertIn("url(#to4)", svg)
+        plain = self.run_program("trace", gallery, "--pixel", "965,320", "--format", "svg")[0].decode()
+        self.assertEqual(plain.count("class='frame'"), 2)
+        for light in range(3):
+            self.assertIn(f"light {light}", plain)
+
+    def test_the_svg_draws_the_boxes_of_a_tree(self):
+        words = ("trace", SCENES[1], "--pixel", "3,12", "--format")
+        for accel in ("bvh", "kdtree"):
+            events = json.loads(self.run_program(*words, "json", "-a", accel)[0])["events"]
+            entered = {event["node"] for event in events if event["event"] == "node" and event["entered"]}
+            passed = {event["node"] for event in events if event["event"] == "node"} - entered
+            svg = self.run_program(*words, "svg", "-a", accel)[0].decode()
+            views = svg.count("class='frame'")
+            self.assertEqual(svg.count("<rect class='entered'"), views * len(entered))
+            self.assertEqual(svg.count("<rect class='passed'"), views * len(passed))
+        self.assertNotIn("<rect class='entered'", self.run_program(*words, "svg")[0].decode())
+
     def test_blocked_shadow_rays_are_dashed(self):
         for row in range(15):
             events = json.loads(self.run_program("trace", SCENES[1], "--pixel", f"8,{row}",

@@ -3,6 +3,7 @@
 
 #include "walkthrough/walkthrough_lines.h"
 
+#define CLOSE 0.07    /* closer together than this part of the drawing, two hits are shown larger */
 #define FAR_LIGHT 1.5 /* farther from the path than so many of its sizes, a light is outside the window */
 
 static void include(SvgExtent *extent, Vec3 p)
@@ -29,6 +30,14 @@ static void measure_path(void *user, const WalkthroughLine *line)
         measure_line(user, line->from, vec3_add(line->from, vec3_scale(line->leaves ? 0.4 : 1, way)));
 }
 
+/* The face that a shadow ray meets must be seen where it does. */
+static void measure_stop(void *user, const WalkthroughLine *line)
+{
+    SvgExtent *extent = user;
+    if (line->kind == LINE_BLOCKED && vec3_length(vec3_sub(line->stop, line->from)) <= extent->farthest_light)
+        include(extent, line->stop);
+}
+
 static void measure_light(void *user, const WalkthroughLine *line)
 {
     SvgExtent *extent = user;
@@ -44,7 +53,44 @@ SvgExtent svg_extent_of(const Walkthrough *walk)
     walkthrough_lines(walk, measure_path, &extent);
     extent.farthest_light = FAR_LIGHT * vec3_length(vec3_sub(extent.high, extent.low));
     walkthrough_lines(walk, measure_light, &extent);
+    walkthrough_lines(walk, measure_stop, &extent);
     return extent;
+}
+
+/* The two hits in a row that are closest together. */
+typedef struct Closest {
+    Vec3 previous, from, to;
+    int hits;
+    double distance;
+} Closest;
+
+static void measure_pair(void *user, const WalkthroughLine *line)
+{
+    Closest *closest = user;
+    if (line->kind != LINE_NORMAL)
+        return;
+    double distance = vec3_length(vec3_sub(line->from, closest->previous));
+    if (closest->hits++ > 0 && distance < closest->distance && distance > 0) {
+        closest->distance = distance;
+        closest->from = closest->previous;
+        closest->to = line->from;
+    }
+    closest->previous = line->from;
+}
+
+bool svg_extent_of_close_hits(const Walkthrough *walk, const SvgExtent *all, SvgExtent *close)
+{
+    Closest closest = {.distance = HUGE_VAL};
+    Vec3 size = vec3_sub(all->high, all->low);
+    walkthrough_lines(walk, measure_pair, &closest);
+    if (!(closest.distance < CLOSE * vec3_largest(size)))
+        return false;
+    Vec3 middle = vec3_scale(0.5, vec3_add(closest.from, closest.to));
+    double half = closest.distance;
+    *close = *all;
+    close->low = vec3_sub(middle, vec3(half, half, half));
+    close->high = vec3_add(middle, vec3(half, half, half));
+    return true;
 }
 
 SvgDirection svg_extent_least_shown(const SvgExtent *extent)

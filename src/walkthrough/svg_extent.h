@@ -13,6 +13,9 @@ typedef struct SvgExtent {
 
 SvgExtent svg_extent_of(const Walkthrough *walk);
 
+/* What a second drawing shows larger, where two hits in a row are too close to be told apart in the first. */
+bool svg_extent_of_close_hits(const Walkthrough *walk, const SvgExtent *all, SvgExtent *close);
+
 /* The view that shows least of the path: it is left out. */
 SvgDirection svg_extent_least_shown(const SvgExtent *extent);
 

@@ -200,13 +200,8 @@ static SvgPoint way_out(const SvgBox *box, SvgPoint from, SvgPoint to)
     return (SvgPoint){from.x + t * dx, from.y + t * dy};
 }
 
-void svg_mark(SvgView *view, Vec3 p, Vec3 seen_from, const char *text, const char *colour)
+static void add_label(SvgView *view, SvgPoint at, const char *text, const char *colour)
 {
-    SvgPoint at = project(view, p);
-    if (!svg_is_seen(view, p))
-        at = way_out(&view->box, project(view, seen_from), at);
-    else
-        fprintf(view->out, "<circle cx='%.1f' cy='%.1f' r='4' fill='%s' stroke='#fff'/>\n", at.x, at.y, colour);
     for (int i = 0; i < view->label_count; i++)
         if (hypot(view->labels[i].at.x - at.x, view->labels[i].at.y - at.y) <= 6) {
             join_label(&view->labels[i], text);
@@ -218,4 +213,32 @@ void svg_mark(SvgView *view, Vec3 p, Vec3 seen_from, const char *text, const cha
     *label = (SvgLabel){.at = at, .colour = colour};
     snprintf(label->text, sizeof label->text - 4, "%s", text);
     view->taken[view->taken_count++] = (SvgBox){at.x - 6, at.y - 6, at.x + 6, at.y + 6};
+}
+
+void svg_mark(SvgView *view, Vec3 p, Vec3 seen_from, const char *text, const char *colour)
+{
+    if (svg_is_seen(view, p)) {
+        SvgPoint at = project(view, p);
+        fprintf(view->out, "<circle cx='%.1f' cy='%.1f' r='4' fill='%s' stroke='#fff'/>\n", at.x, at.y, colour);
+    }
+    svg_end_label(view, p, seen_from, text, colour);
+}
+
+void svg_end_label(SvgView *view, Vec3 p, Vec3 seen_from, const char *text, const char *colour)
+{
+    SvgPoint at = project(view, p);
+    if (!svg_is_seen(view, p) && !svg_is_seen(view, seen_from))
+        return; /* in a zoom: neither end is in it */
+    add_label(view, svg_is_seen(view, p) ? at : way_out(&view->box, project(view, seen_from), at), text, colour);
+}
+
+void svg_arrow_out(const SvgView *view, Vec3 seen_from, Vec3 p, const char *style)
+{
+    const double length = 24;
+    SvgPoint from = project(view, seen_from), at = way_out(&view->box, from, project(view, p));
+    double distance = hypot(at.x - from.x, at.y - from.y);
+    double part = distance > length ? length / distance : 1;
+    if (svg_is_seen(view, seen_from) && distance > 0)
+        fprintf(view->out, "<path %s d='M%.1f %.1fL%.1f %.1f'/>\n", style, at.x - part * (at.x - from.x),
+                at.y - part * (at.y - from.y), at.x, at.y);
 }

@@ -80,6 +80,12 @@ bool svg_is_seen(const SvgView *view, Vec3 p);
  * window only the label is shown, where the line from `seen_from` leaves. */
 void svg_mark(SvgView *view, Vec3 p, Vec3 seen_from, const char *label, const char *colour);
 
+/* The label alone, of the end of a ray that goes on beyond what is drawn. */
+void svg_end_label(SvgView *view, Vec3 p, Vec3 seen_from, const char *label, const char *colour);
+
+/* A short arrow at the panel's edge, on the way from a position that is seen to one that is not. */
+void svg_arrow_out(const SvgView *view, Vec3 seen_from, Vec3 p, const char *style);
+
 /* A small cross where a shadow ray is stopped. */
 void svg_cross(const SvgView *view, Vec3 p, const char *colour);
 
