@@ -99,6 +99,21 @@ class Render(CommandTest):
         scale = self.render("--map", "rays", "map.png", "--sampling", "adaptive:2")[1]
         self.assertRegex(scale, r"rays per pixel, from [1-9]\d* \(black\) to [1-9]\d* \(white\)")
 
+    def test_a_mark_is_drawn_around_a_pixel_and_its_neighbours_are_printed(self):
+        self.render("-o", "plain.png", "--size", "96x60")
+        plain = png_pixels(self.bytes_of("plain.png"))
+        for column, row in ((0, 0), (50, 31), (95, 59)):
+            _, err = self.render("-o", "a.png", "--size", "96x60", "--mark", f"{column},{row}")
+            marked = png_pixels(self.bytes_of("a.png"))
+            self.assertNotEqual(marked, plain)
+            around = {(x, y): plain[y][x] for y in range(row - 1, row + 2) for x in range(column - 1, column + 2)
+                      if 0 <= x < 96 and 0 <= y < 60}
+            printed = re.findall(r"\((\d+), (\d+)\) = \((\d+), (\d+), (\d+)\)", err)
+            self.assertEqual({(int(x), int(y)): tuple(map(int, rgb)) for x, y, *rgb in printed}, around)
+            self.assertEqual({at: marked[at[1]][at[0]] for at in around}, around)
+        self.render("-o", "a.png", "--mark", "3,3", "-q")  # too small for a magnified part
+        self.assertIn("--mark 8,0 is outside", self.run_program("render", "scene.json", "--mark", "8,0", status=2)[1])
+
     def test_maps_of_tests_can_be_set_side_by_side(self):
         def bright(*words):
             err = self.render("--map", "tests", "map.png", "--size", "16x12", *words)[1]

@@ -10,6 +10,7 @@
 #include "opencl/backend.h"
 #include "picture/image.h"
 #include "picture/map.h"
+#include "picture/mark.h"
 #include "reader/scene_json.h"
 
 #include <stdlib.h>
@@ -20,7 +21,8 @@ typedef struct Painter {
     ImageWriter *writer;
     Progress progress;
     double encode_ms;
-    int rows; /* of the whole picture */
+    int rows;     /* of the whole picture */
+    Image marked; /* the whole picture, where a pixel of it is to be marked; else without pixels */
 } Painter;
 
 static bool paint_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
@@ -28,7 +30,10 @@ static bool paint_band(void *user, int first_row, int rows, const unsigned char 
 {
     Painter *painter = user;
     double start = clock_ms();
-    bool ok = image_writer_rows(painter->writer, rgb, rows, error);
+    size_t stride = (size_t)painter->marked.columns * 3;
+    if (painter->marked.rgb)
+        memcpy(painter->marked.rgb + (size_t)first_row * stride, rgb, (size_t)rows * stride);
+    bool ok = painter->marked.rgb || image_writer_rows(painter->writer, rgb, rows, error);
     painter->encode_ms += clock_ms() - start;
     const RayCounts *rays = &so_far->rays;
     progress_step(&painter->progress, (double)(first_row + rows) / painter->rows,
@@ -88,6 +93,41 @@ static bool trace(const Options *options, const Scene *scene, Painter *painter, 
     return done;
 }
 
+/* A marked picture is written when it is complete: what is shown larger may come after its place. */
+static bool keep_picture(Painter *painter, const Scene *scene, Error *error)
+{
+    painter->marked = (Image){scene->screen.columns, scene->screen.rows, NULL};
+    painter->marked.rgb = malloc((size_t)scene->screen.columns * (size_t)scene->screen.rows * 3);
+    return painter->marked.rgb || error_memory(error, "the picture");
+}
+
+static void print_around(const Image *image, int column, int row)
+{
+    for (int y = row - 1; y <= row + 1; y++) {
+        for (int x = column - 1; x <= column + 1; x++) {
+            if (x < 0 || x >= image->columns || y < 0 || y >= image->rows)
+                continue;
+            const unsigned char *rgb = image->rgb + ((size_t)y * (size_t)image->columns + (size_t)x) * 3;
+            fprintf(stderr, "  (%d, %d) = (%d, %d, %d)", x, y, rgb[0], rgb[1], rgb[2]);
+        }
+        fputc('\n', stderr);
+    }
+}
+
+/* Marks and writes the picture that was kept; true, too, where none was. */
+static bool write_marked(const Options *options, Painter *painter, Error *error)
+{
+    Image *image = &painter->marked;
+    if (!image->rgb)
+        return true;
+    if (!options->quiet)
+        print_around(image, options->mark_column, options->mark_row);
+    mark_draw(image, options->mark_column, options->mark_row);
+    bool done = image_writer_rows(painter->writer, image->rgb, image->rows, error);
+    image_free(image);
+    return done;
+}
+
 /* Traces the scene into the file `output`. */
 static bool render(const Options *options, const Scene *scene, const char *output, Stats *stats, Error *error)
 {
@@ -96,11 +136,20 @@ static bool render(const Options *options, const Scene *scene, const char *outpu
     if (!painter.writer)
         return false;
     painter.encode_ms = clock_ms() - start;
+    if (options->mark_given && !keep_picture(&painter, scene, error)) {
+        image_writer_abort(painter.writer);
+        return false;
+    }
     if (!trace(options, scene, &painter, &stats->report, error)) {
+        image_free(&painter.marked);
         image_writer_abort(painter.writer);
         return false;
     }
     start = clock_ms();
+    if (!write_marked(options, &painter, error)) {
+        image_writer_abort(painter.writer);
+        return false;
+    }
     bool done = image_writer_commit(painter.writer, error);
     stats->encode_ms = painter.encode_ms + clock_ms() - start;
     return done;
@@ -140,6 +189,15 @@ static void print_scale(const Options *options, MapScale scale)
         fprintf(stderr, "%s: faces, a colour for each number; black: nothing is hit\n", file);
 }
 
+static bool check_mark(const Options *options, const Scene *scene, Error *error)
+{
+    const Screen *screen = &scene->screen;
+    if (!options->mark_given || (options->mark_column < screen->columns && options->mark_row < screen->rows))
+        return true;
+    return error_set(error, ERROR_USAGE, "--mark %d,%d is outside the picture, whose pixels are 0,0 to %d,%d",
+                     options->mark_column, options->mark_row, screen->columns - 1, screen->rows - 1);
+}
+
 static bool check_map(const Options *options, Error *error)
 {
     if (options->map_file && options->map == MAP_TIME && options->backend != BACKEND_REFERENCE)
@@ -177,7 +235,8 @@ bool command_render(const Options *options, Error *error)
     stats.parse_ms = clock_ms() - start;
     options_note_unused(options);
     scene_override(&scene, options);
-    bool done = check_map(options, error) && render_scene(options, &scene, &stats, start, error) &&
+    bool done = check_mark(options, &scene, error) && check_map(options, error) &&
+                render_scene(options, &scene, &stats, start, error) &&
                 (!options->map_file || draw_map(options, &scene, error));
     scene_free(&scene);
     return done;

@@ -37,6 +37,8 @@ typedef struct Options {
     const char *second_value; /* of an option that takes two, while it is read */
     const char *map_file;     /* NULL: no map */
     MapKind map;
+    bool mark_given;
+    int mark_column, mark_row;
     double map_low, map_high;                        /* of its colours; 0: not given */
     int bounces;                                     /* -1: as the scene says */
     int tolerance;                                   /* of 255 */

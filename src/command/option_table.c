@@ -106,6 +106,12 @@ static bool set_pixel(Options *o, const char *value)
     return true;
 }
 
+static bool set_mark(Options *o, const char *value)
+{
+    o->mark_given = true;
+    return read_pair(value, SCENE_MAX_PIXELS, &o->mark_column, &o->mark_row);
+}
+
 static bool set_sample(Options *o, const char *value)
 {
     return read_pair(value, SCENE_MAX_GRID, &o->sample_i, &o->sample_j);
@@ -185,6 +191,8 @@ const Option option_table[] = {
      OWN(set_sampling), .expects = "uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16"},
     {"map", 0, "KIND FILE", "render", "what the pixels cost or show: rays, time, tests, depth, normal or face",
      OWN(set_map), .expects = "rays, time, depth, normal, face or tests, and the name of a file"},
+    {"mark", 0, "COLUMN,ROW", "render", "mark a pixel, show what is around it larger, and print the bytes there",
+     OWN(set_mark), .expects = "two whole numbers, such as 320,240"},
     {"map-scale", 0, "LOW:HIGH", "render", "the numbers that the map shows black and white, for maps side by side",
      OWN(set_map_scale), .expects = "two numbers above 0, the lower one first, such as 1:2000"},
     {"bounces", 0, "N", "render trace", "at most N reflected rays in a row, instead of the scene's",
