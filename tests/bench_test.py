@@ -32,11 +32,12 @@ class BenchTest(unittest.TestCase):
         with open(os.path.join(self.folder.name, name)) as page:
             return page.read()
 
-    def bench(self, *words, status=0):
+    def bench(self, *words, status=0, grid=1):
         """Runs it in the test's folder, and checks that its temporary files are gone."""
         temporary = os.path.join(self.folder.name, "temporary")
         os.makedirs(temporary, exist_ok=True)
-        done = subprocess.run([RECTRAY, "bench", *words, "--size=8x6", "--grid=1", "--repeats=1", "--quiet"],
+        done = subprocess.run([RECTRAY, "bench", *words, "--size=8x6", f"--grid={grid}", "--repeats=1",
+                               "--quiet"],
                               cwd=self.folder.name, capture_output=True, text=True,
                               env=dict(os.environ, TMPDIR=temporary))
         self.assertEqual(done.returncode, status, done.stderr)
@@ -258,6 +259,62 @@ class Error(BenchTest):
         with self.subTest("what it sweeps itself is not asked for"):
             self.assertIn("measures both", self.bench("error", self.SCENE, "-p", "float", status=2).stderr)
             self.assertIn("CSV", self.bench("error", self.SCENE, "--json", status=2).stderr)
+
+
+class Kernels(BenchTest):
+    """The ladder of kernels: what must hold whatever the times."""
+
+    SCENE = os.path.join(os.path.dirname(SCENE), "many_lights.json")
+    MARKS = ("<!-- bench kernels: made by `make bench-kernels`, from here -->\n", "<!-- bench kernels: to here -->\n")
+
+    def rows(self, scene):
+        with open(os.path.join(self.folder.name, "files", f"kernels-{scene}.tsv"), newline="") as file:
+            return list(csv.DictReader(file, delimiter="\t"))
+
+    def test_every_row_is_measured_and_compared_with_the_row_that_it_improves(self):
+        page = self.write_page("before\n" + self.MARKS[0] + "stale\n" + self.MARKS[1] + "after\n")
+        self.bench("kernels", self.SCENE, "--precision=double", "--folder", "files", "-o", page)
+        rows = self.rows("many_lights")
+        self.assertEqual([(row["backend"], row["kernel"], row["accel"], row["lanes"], row["tiles"], row["against"])
+                          for row in rows],
+                         [("reference", "", "none", "0", "0", "0"), ("reference", "", "none", "0", "0", "1"),
+                          ("opencl", "plain", "none", "1", "0", "2"), ("opencl", "plain", "kdtree", "1", "0", "3"),
+                          ("opencl", "plain", "bvh", "1", "0", "4"), ("opencl", "packet", "bvh", "1", "0", "5"),
+                          ("opencl", "packet", "bvh", "4", "0", "6"), ("opencl", "packet", "bvh", "8", "0", "7"),
+                          ("opencl", "packet", "bvh", "16", "0", "8"), ("opencl", "packet", "bvh", "4", "1", "7"),
+                          ("opencl", "packet", "bvh", "8", "1", "8"), ("opencl", "packet", "bvh", "16", "1", "9")])
+        text = self.read(page)
+        for row in rows:
+            with self.subTest(row["name"]):
+                before = [other for other in rows if other["row"] == row["against"]]
+                self.assertEqual((row["runs"], row["differing"]), ("1", "0"), "in double all pictures are the same")
+                self.assertAlmostEqual(float(row["ratio"]),
+                                       float(before[0]["trace_ms"]) / float(row["trace_ms"]) if before else 0,
+                                       delta=0.01 * float(row["ratio"]) + 0.01)
+                self.assertIn(f"| {row['row']} | {row['name']} |", text)
+        for tested in ("face_tests", "box_tests"):
+            counts = [int(row[tested]) for row in rows]
+            self.assertTrue(counts[0] == counts[1] == counts[2], "without a tree, each ray meets each face")
+            self.assertTrue(all((count > 0) == (tested == "face_tests" or row["accel"] != "none")
+                                for count, row in zip(counts, rows)))
+        self.assertGreater(int(rows[2]["face_tests"]), int(rows[4]["face_tests"]))
+        self.assertTrue(text.startswith("before\n" + self.MARKS[0]))
+        self.assertTrue(text.endswith(self.MARKS[1] + "after\n"))
+        self.assertNotIn("stale", text)
+
+    def test_rows_without_a_tree_that_take_minutes_are_left_out(self):
+        with open(os.path.join(self.folder.name, "grid.json"), "w") as scene:
+            subprocess.run([RECTRAY, "generate", "grid", "--size", "300"], stdout=scene, check=True)
+        text = self.bench("kernels", "grid.json", "--folder", "files", grid=16).stdout
+        self.assertEqual([row["runs"] for row in self.rows("grid")], ["0"] * 3 + ["1"] * 9)
+        self.assertEqual(text.count("| left out |"), 3)
+
+    def test_what_it_sweeps_itself_is_not_asked_for(self):
+        self.assertIn("needs scenes", self.bench("kernels", status=2).stderr)
+        self.bench("kernels", "missing.json", status=1)
+        for option in ("--ladder", "--json", "--kernel=plain", "--arithmetic=textbook", "--accel=bvh", "--lanes=4"):
+            self.assertIn(f"takes no {option.split('=')[0]}:",
+                          self.bench("kernels", self.SCENE, option, status=2).stderr)
 
 
 if __name__ == "__main__":

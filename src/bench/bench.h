@@ -1,5 +1,5 @@
 /* What is to be measured, and how. What comes of it: bench_trace.h (scenes traced in this process, beside a peer),
- * bench_process.h (whole processes), bench_error.h; bench_report.h makes tables of it. */
+ * bench_process.h (whole processes), bench_error.h, bench_kernels.h; bench_report.h makes tables of the first two. */
 #ifndef RECTRAY_BENCH_H
 #define RECTRAY_BENCH_H
 

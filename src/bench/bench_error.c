@@ -3,10 +3,10 @@
 
 #include "bench/bench_ground_truth.h"
 #include "bench/bench_measure.h"
+#include "bench/bench_scene.h"
 #include "reader/scene_json.h"
 
 #include <assert.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -157,21 +157,13 @@ static void find_front(BenchError *result)
 
 /* --- All of it --- */
 
-/* The scene's own shape in PIXELS pixels or so. */
-static void fit_screen(BenchScene *wanted, const Screen *screen)
-{
-    double shrink = sqrt(PIXELS / ((double)screen->columns * screen->rows));
-    wanted->columns = (int)fmax(1, floor(screen->columns * shrink + 0.5));
-    wanted->rows = (int)fmax(1, floor(screen->rows * shrink + 0.5));
-}
-
 bool bench_error_settle(BenchScene *wanted, Error *error)
 {
     Scene scene;
     if (!scene_load(&scene, wanted->path, error))
         return false;
     if (wanted->columns == 0)
-        fit_screen(wanted, &scene.screen);
+        bench_scene_fit(wanted, &scene.screen, PIXELS);
     if (wanted->grid == 0)
         wanted->grid = scene.grid;
     scene_free(&scene);

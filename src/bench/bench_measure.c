@@ -30,7 +30,12 @@ static bool keep_band(void *user, int first_row, int rows, const unsigned char *
     return true;
 }
 
+BandSink bench_sink(Image *picture)
+{
+    return (BandSink){keep_band, picture};
+}
+
 bool bench_trace_once(OpenclScene *held, Image *picture, RenderReport *report, Error *error)
 {
-    return opencl_picture(held, (BandSink){keep_band, picture}, report, error);
+    return opencl_picture(held, bench_sink(picture), report, error);
 }

@@ -6,6 +6,9 @@
 #include "opencl/opencl.h"
 #include "picture/image.h"
 
+/* Where the bands of a picture go: into `picture`, of the scene's size, or nowhere where it is NULL. */
+BandSink bench_sink(Image *picture);
+
 /* One picture of ours; `picture`, of the scene's size, is filled where it is not NULL. */
 bool bench_trace_once(OpenclScene *held, Image *picture, RenderReport *report, Error *error);
 

@@ -16,6 +16,7 @@ bool command_compare(const Options *options, Error *error);
 bool command_devices(const Options *options, Error *error);
 bool command_bench(const Options *options, Error *error);
 bool command_bench_error(const Options *options, Error *error); /* `bench error`: called by command_bench */
+bool command_bench_kernels(const Options *options, Error *error);
 bool command_tree(const Options *options, Error *error);
 bool command_generate(const Options *options, Error *error);
 

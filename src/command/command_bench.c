@@ -1,5 +1,5 @@
 /* rectray bench: measures scenes, or the ladder of scenes on which every figure of docs/performance.md stands.
- * `bench error` is command_bench_error.c. */
+ * `bench error` is command_bench_error.c, `bench kernels` is command_bench_kernels.c. */
 #include "base/text.h"
 #include "bench/bench_document.h"
 #include "bench/bench_json.h"
@@ -175,11 +175,14 @@ bool command_bench(const Options *options, Error *error)
         return false;
     if (options->operand_count > 0 && strcmp(options->operands[0], "error") == 0)
         return command_bench_error(options, error);
+    if (options->operand_count > 0 && strcmp(options->operands[0], "kernels") == 0)
+        return command_bench_kernels(options, error);
     if (options->operand_count == 0 && !options->ladder)
         return error_set(
             error, ERROR_USAGE,
             "bench needs scenes to measure: `rectray bench SCENE...` for their speed, `rectray bench error "
-            "SCENE...` for time against error; --ladder instead of scenes measures those of the documentation");
+            "SCENE...` for time against error, `rectray bench kernels SCENE...` for one kernel after another; --ladder "
+            "instead of scenes measures those of the documentation");
     Bench *bench = calloc(1, sizeof *bench);
     if (!bench)
         return error_memory(error, "the measurements");

@@ -1,13 +1,12 @@
 /* rectray bench error: for each choice that the renderer offers, its time and its distance from the truth. */
-#include "base/text.h"
 #include "bench/bench_document.h"
 #include "bench/bench_error_report.h"
 #include "bench/bench_ladder.h"
 #include "bench/bench_machine.h"
+#include "bench/bench_scene.h"
 #include "command/command.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #define MARK_BEGIN "<!-- bench error: made by `make bench-error`, from here -->\n"
 #define MARK_END "<!-- bench error: to here -->\n"
@@ -35,27 +34,13 @@ static bool measure_ladder(BenchErrors *errors, const Options *options, Error *e
     return true;
 }
 
-/* The scene of a path: its name is the file's without its extension. */
-static bool scene_of(const char *path, BenchScene *scene, Error *error)
-{
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
-    int length = (int)(dot && dot != name ? dot - name : (long)strlen(name));
-    *scene = (BenchScene){.columns = 0};
-    if (strlen(path) >= sizeof scene->path || length >= BENCH_NAME)
-        return error_set(error, ERROR_USAGE, "the path is too long: %s", path);
-    snprintf(scene->name, sizeof scene->name, "%.*s", length, name);
-    text_make_utf8(scene->name);
-    snprintf(scene->path, sizeof scene->path, "%s", path);
-    return true;
-}
-
 static bool measure(BenchErrors *errors, const Options *options, Error *error)
 {
     if (options->ladder)
         return measure_ladder(errors, options, error);
     for (int i = 1; i < options->operand_count; i++) {
         BenchScene scene;
-        if (!scene_of(options->operands[i], &scene, error) || !measure_scene(errors, scene, options, error))
+        if (!bench_scene_of(options->operands[i], &scene, error) || !measure_scene(errors, scene, options, error))
             return false;
     }
     return true;

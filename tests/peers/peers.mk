@@ -32,3 +32,14 @@ bench-error: ## time against error, of the ladder's small scenes: renews docs/ac
 	@for scene in original cornell mirrors gallery menger-2 city-1k; do \
 	    gnuplot -e "folder='build/bench'; out='docs/images'; scene='$$scene'" docs/plots/error.gp; \
 	done
+
+.PHONY: bench-kernels
+bench-kernels: ## one kernel after another on two scenes: renews docs/kernel.md and its plots (minutes)
+	@$(SETUP) build run bench
+	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	@mkdir -p build/bench
+	$(PROGRAM) generate city --size 1000 -o build/bench/city-1k.json
+	$(PROGRAM) bench kernels scenes/gallery.json build/bench/city-1k.json --folder build/bench -o docs/kernel.md
+	@for scene in gallery city-1k; do \
+	    gnuplot -e "folder='build/bench'; out='docs/images'; scene='$$scene'" docs/plots/kernels.gp; \
+	done
