@@ -5,8 +5,13 @@ In a page write `function` in `src/folder/file.c`; the names of several function
 import glob
 import os
 import re
+import shutil
+import subprocess
 import sys
+import tempfile
 import unittest
+
+from support.program import PROGRAM
 
 PAGES = ["README.md", *sorted(glob.glob("docs/*.md"))]
 CODE = ["Makefile", *glob.glob("src/**/*.[ch]", recursive=True), *glob.glob("kernels/**/*.*", recursive=True)]
@@ -91,6 +96,39 @@ class Examples(unittest.TestCase):
         numbers = re.findall(r"\d+\.\d{4,}", blocks)
         self.assertGreater(len(numbers), 30)
         self.assertEqual(set(numbers) - set(re.findall(r"\d+\.\d+", read("docs/walkthrough.md"))), set())
+
+
+class PlainKernel(unittest.TestCase):
+    """docs/kernel.md quotes the plain kernel, and changes it."""
+
+    def blocks(self, kind):
+        return re.findall(rf"(?ms)^```{kind}\n(.*?)^```", read("docs/kernel.md"))
+
+    def test_what_is_quoted_stands_in_the_kernel(self):
+        kernels = "".join(map(read, ["kernels/plain.cl", *glob.glob("kernels/plain/*.cl")]))
+        self.assertGreater(len(self.blocks("c")), 10)
+        for block in self.blocks("c"):
+            with self.subTest(block.split("\n")[0]):
+                self.assertIn(block, kernels)
+
+    def test_each_edit_compiles_and_shows(self):
+        render = [PROGRAM, "render", "scenes/gallery.json", "--kernel=plain", "--size=32x18", "--grid=1", "-q", "-o"]
+        self.assertEqual(len(self.blocks("diff")), 3)
+        with tempfile.TemporaryDirectory() as folder:
+            pictures = {subprocess.run([*render, "-"], check=True, capture_output=True).stdout}
+            for number, block in enumerate(self.blocks("diff"), 1):
+                lines = block.splitlines(keepends=True)
+                before, after = ("".join(line[1:] for line in lines if line[0] in kept) for kept in (" -", " +"))
+                with self.subTest(after):
+                    mine = os.path.join(folder, str(number))
+                    shutil.copytree("kernels", mine)
+                    kernel = read("kernels/plain.cl")
+                    self.assertEqual(kernel.count(before), 1)
+                    with open(os.path.join(mine, "plain.cl"), "w", encoding="utf-8") as file:
+                        file.write(kernel.replace(before, after))
+                    pictures.add(subprocess.run([*render, "-"], check=True, capture_output=True,
+                                                env={**os.environ, "RECTRAY_KERNELS": mine}).stdout)
+                    self.assertEqual(len(pictures), 1 + number)
 
 
 class Comments(unittest.TestCase):
