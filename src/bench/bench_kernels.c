@@ -152,7 +152,7 @@ static bool is_repeated(const KernelRow *row)
 static bool measure_times(BenchKernels *result, Work *work, Error *error)
 {
     int repeats = work->plan->repeats;
-    bool repeated[KERNELS_MAX_ROWS];
+    bool repeated[KERNELS_MAX_ROWS] = {false};
     for (int i = 0; i < result->row_count; i++)
         repeated[i] = is_repeated(&result->rows[i]);
     for (int round = 0; round < repeats; round++)
