@@ -153,6 +153,11 @@ class Render(CommandTest):
                 "accel", "build_options", "device_memory_bytes", "peak_memory_bytes"]
         stats = json.loads(self.render("--stats=json")[0])
         self.assertEqual(sorted(stats), sorted(keys))
+        words = ["-b", "opencl", "--kernel", "plain"]
+        plain = json.loads(self.render("--stats=json", *words)[0])
+        self.assertEqual(list(plain)[-2:], ["kernel", "arithmetic"])
+        self.assertEqual((plain["kernel"], plain["arithmetic"]), ("plain", "exact"))
+        self.assertIn("plain, exact arithmetic", self.render("--stats", *words)[0].decode())
         self.assertEqual(sorted(stats["phases_ms"]), sorted(["parse", "build", "device", "compile", "upload", "trace",
                                                              "readback", "encode", "total"]))
         self.assertEqual((stats["faces"], stats["lights"], stats["rays"]["primary"]), (2, 1, 48))

@@ -231,6 +231,8 @@ bool command_render(const Options *options, Error *error)
     if (!scene_load(&scene, options->operands[0], error))
         return false;
     Stats stats = stats_begin(&scene, options->backend, options->settings.precision);
+    stats.kernel = options->backend == BACKEND_OPENCL ? options->settings.kernel : KERNEL_PACKET;
+    stats.arithmetic = options->settings.arithmetic;
     stats.precision = precision_of(options);
     stats.parse_ms = clock_ms() - start;
     options_note_unused(options);

@@ -90,6 +90,9 @@ static void print_text(FILE *out, const Stats *stats)
             render_precisions[stats->precision], report->lanes, render_accels[report->accel]);
     fprintf(out, "%-22s%s\n", "device", report->device);
     fprintf(out, "%-22s%s\n", "build options", report->build_options);
+    if (stats->kernel == KERNEL_PLAIN)
+        fprintf(out, "%-22s%s, %s arithmetic\n", "kernel", render_kernels[stats->kernel],
+                render_arithmetics[stats->arithmetic]);
 }
 
 /* A whole number with all its digits, which a double may not hold. */
@@ -126,7 +129,10 @@ static bool fill_json(cJSON *object, const Stats *stats)
            cJSON_AddStringToObject(object, "accel", render_accels[report->accel]) &&
            cJSON_AddStringToObject(object, "build_options", report->build_options) &&
            add_count(object, "device_memory_bytes", report->device_bytes) &&
-           add_count(object, "peak_memory_bytes", peak_memory_bytes());
+           add_count(object, "peak_memory_bytes", peak_memory_bytes()) &&
+           (stats->kernel != KERNEL_PLAIN ||
+            (cJSON_AddStringToObject(object, "kernel", render_kernels[stats->kernel]) &&
+             cJSON_AddStringToObject(object, "arithmetic", render_arithmetics[stats->arithmetic])));
 }
 
 static bool print_json(FILE *out, const Stats *stats, Error *error)

@@ -17,6 +17,8 @@ typedef struct Stats {
     int faces, lights;
     Backend backend;
     Precision precision;
+    KernelKind kernel; /* told only where it is the plain one, with its arithmetic */
+    Arithmetic arithmetic;
 } Stats;
 
 /* What is known before anything is traced. The reference computes in double whatever the precision. */
