@@ -651,6 +651,121 @@ class Choosing(CommandTest):
             self.assertIn("--diff needs --pixel twice", err)
 
 
+class Rounding(CommandTest):
+    """`--arithmetic textbook`: what textbook arithmetic finds, beside what is exactly so."""
+    TEXTBOOK = ("--arithmetic", "textbook")
+    UNIFORM = ("--sampling", "uniform")
+    LESSONS = sorted(glob.glob(os.path.join(HERE, "scenes/lessons/*.json")))
+
+    @classmethod
+    def setUpClass(cls):
+        with open("docs/rounding.schema.json", encoding="utf-8") as file:
+            schema = json.load(file)
+        jsonschema.Draft202012Validator.check_schema(schema)
+        cls.validator = jsonschema.Draft202012Validator(schema)
+
+    def trace(self, scene, column, row, *words):
+        out, _ = self.run_program("trace", scene, "--pixel", f"{column},{row}", *self.TEXTBOOK, "-f", "json", *words)
+        document = json.loads(out)
+        self.validator.validate(document)
+        return document
+
+    def pictures(self, scene, precision):
+        for name, words in (("exact.png", ()), ("textbook.png", (*self.TEXTBOOK, "--precision", precision))):
+            self.run_program("render", scene, "-b", "reference", "-q", "-o", name, *self.UNIFORM, *words)
+        return png_pixels(self.bytes_of("textbook.png")), png_pixels(self.bytes_of("exact.png"))
+
+    def test_both_bytes_are_those_of_the_pictures_and_a_part_explains_the_difference(self):
+        chosen = random.Random(7)
+        for scene in self.LESSONS + SCENES:
+            for precision in ("float", "double"):
+                textbook, exact = self.pictures(scene, precision)
+                places = [(x, y) for y in range(len(exact)) for x in range(len(exact[0]))]
+                apart = [(x, y) for x, y in places if textbook[y][x] != exact[y][x]]
+                for x, y in chosen.sample(places, 3) + chosen.sample(apart, min(4, len(apart))):
+                    with self.subTest(scene=scene, precision=precision, pixel=(x, y)):
+                        document = self.trace(scene, x, y, "--precision", precision, *self.UNIFORM)
+                        self.assertEqual(tuple(document["textbook"]["rgb"]), textbook[y][x])
+                        self.assertEqual(tuple(document["exact"]["rgb"]), exact[y][x])
+                        if scene in self.LESSONS and max(abs(a - b) for a, b in zip(textbook[y][x], exact[y][x])) > 8:
+                            self.assertIn("part", document)
+                        self.told(document, scene, precision)
+
+    def told(self, document, scene, precision):
+        """The place where they part is the first one where the lists differ."""
+        found, right = document["textbook"]["hits"], document["exact"]["hits"]
+        part = None
+        for k, (a, b) in enumerate(zip(found, right)):
+            lights = [i for i, (x, y) in enumerate(zip(a.get("lights", []), b.get("lights", [])))
+                      if x["verdict"] != y["verdict"]]
+            if a["face"] != b["face"]:
+                part = (k + 1, None)
+            elif lights:
+                part = (k + 1, lights[0])
+            if part:
+                break
+        told = document.get("part")
+        self.assertEqual((told["hit"], told.get("light")) if told else None, part)
+        text, _ = self.run_program("trace", scene, "--pixel", f"{document['column']},{document['row']}",
+                                   *self.TEXTBOOK, "--precision", precision, *self.UNIFORM)
+        words = " ".join(text.decode().split())
+        for key in ("textbook", "exact") if told else ():
+            self.assertIn(" ".join(told[key].split()), words)
+        self.assertEqual("Here the two part." in words, bool(told))
+
+    def test_double_shows_hardly_any_fault_where_float_shows_many(self):
+        scene = os.path.join(HERE, "scenes/lessons/acne.json")
+        self.assertIn("part", self.trace(scene, 95, 151))
+        self.assertNotIn("part", self.trace(scene, 95, 151, "--precision", "double"))
+
+    def test_a_larger_shift_cures_acne_and_its_height_is_told(self):
+        scene = os.path.join(HERE, "scenes/lessons/acne.json")
+        hit = self.trace(scene, 95, 151, "--shift", "0.01")["textbook"]["hits"][0]
+        self.assertEqual(hit["lights"][0]["verdict"], "reaches")
+        self.assertAlmostEqual(hit["above"], 0.01, delta=1e-4)
+
+    def test_the_steps_have_the_numbers_of_the_exact_walkthrough(self):
+        words = ("trace", os.path.join(HERE, "scenes/original.json"), "--pixel", "40,36")
+        exact, textbook = (self.run_program(*words, *more)[0].decode() for more in ((), self.TEXTBOOK))
+        steps = re.findall(r"(?m)^Step .*", textbook)
+        self.assertEqual(len(steps), 5)
+        self.assertEqual([step for step in steps if step not in exact], [])
+
+    def test_several_pixels_are_told_one_after_another(self):
+        words = ("trace", "scene.json", *self.TEXTBOOK)
+        one = [self.run_program(*words, "--pixel", pixel)[0] for pixel in ("4,3", "1,2")]
+        self.assertEqual(self.run_program(*words, "--pixel", "4,3", "--pixel", "1,2")[0], b"\n".join(one))
+        both = json.loads(self.run_program(*words, "--pixel", "4,3", "--pixel", "1,2", "-f", "json")[0])
+        self.assertEqual([(walk["column"], walk["row"]) for walk in both], [(4, 3), (1, 2)])
+
+    def test_the_summary_is_the_beginning_of_the_text(self):
+        words = ("trace", os.path.join(HERE, "scenes/lessons/acne.json"), "--pixel", "95,151", *self.TEXTBOOK)
+        whole, short = self.run_program(*words)[0], self.run_program(*words, "--summary")[0]
+        self.assertTrue(whole.startswith(short) and len(short) < len(whole))
+        self.assertIn(b"= (26, 26, 26) in textbook arithmetic, (144, 138, 124) exactly\n", short)
+
+    def test_a_file_gets_what_standard_output_would(self):
+        for form in ("text", "json"):
+            words = ("trace", "scene.json", "--pixel", "4,3", *self.TEXTBOOK, "--format", form)
+            self.run_program(*words, "-o", "walk")
+            self.assertEqual(self.bytes_of("walk"), self.run_program(*words)[0])
+
+    def test_what_the_text_has_not_is_refused(self):
+        for message, words in (("is told with --format text or json, not svg", ("-f", "svg")),
+                               ("leave out --arithmetic textbook", ("--diff", "--pixel", "1,2")),
+                               ("is told with --format text or json, not obj", ("-f", "obj")),
+                               ("textbook arithmetic has no tree", ("--accel", "bvh")),
+                               ("textbook arithmetic has no adaptive sampling", ("--sampling", "adaptive:2"))):
+            out, err = self.run_program("trace", "scene.json", "--pixel", "4,3", *self.TEXTBOOK, *words, status=2)
+            self.assertEqual(out, b"")
+            self.assertIn(message, err)
+        _, err = self.run_program("trace", "scene.json", "--pixel", "4,3", "--shift", "1", status=2)
+        self.assertIn("--shift needs --arithmetic textbook", err)
+        for words in (("--precision", "double"), (*self.TEXTBOOK, "--verbose")):
+            _, err = self.run_program("trace", "scene.json", "--pixel", "4,3", *words)
+            self.assertIn("note: --", err)
+
+
 class Mistakes(CommandTest):
     def assert_usage(self, message, *words):
         out, err = self.run_program("trace", "scene.json", *words, status=2)

@@ -8,6 +8,7 @@
 #include "trace/adaptive.h"
 #include "walkthrough/ink.h"
 #include "walkthrough/pixel_search.h"
+#include "walkthrough/rounding.h"
 #include "walkthrough/walkthrough_diff.h"
 
 #include <stdlib.h>
@@ -46,6 +47,21 @@ static bool choose_pixels(Options *options, const Scene *scene, Error *error)
     return true;
 }
 
+static bool check_textbook(const Options *options, Error *error)
+{
+    if (!options_agree(options, error))
+        return false;
+    if (options->settings.arithmetic != ARITHMETIC_TEXTBOOK)
+        return true;
+    if (options->format != WALKTHROUGH_TEXT && options->format != WALKTHROUGH_JSON)
+        return error_set(error, ERROR_USAGE, "--arithmetic textbook is told with --format text or json, not %s",
+                         walkthrough_format_words[options->format]);
+    if (options->diff)
+        return error_set(error, ERROR_USAGE, "--diff compares exact walkthroughs; leave out --arithmetic textbook");
+    return options->settings.accel <= ACCEL_NONE ||
+           error_set(error, ERROR_USAGE, "textbook arithmetic has no tree; leave out --accel");
+}
+
 static bool check_request(const Options *options, const Scene *scene, Error *error)
 {
     bool text = options->format == WALKTHROUGH_TEXT;
@@ -60,7 +76,7 @@ static bool check_request(const Options *options, const Scene *scene, Error *err
     if (options->sample_i >= grid || options->sample_j >= grid)
         return error_set(error, ERROR_USAGE, "--sample %d,%d is outside the grid, whose samples are 0,0 to %d,%d",
                          options->sample_i, options->sample_j, grid - 1, grid - 1);
-    return true;
+    return check_textbook(options, error);
 }
 
 /* --- Writing --- */
@@ -87,6 +103,26 @@ static WalkthroughStyle style_of(const Options *options, bool to_stdout)
     };
 }
 
+/* In textbook arithmetic: what it finds, beside the walkthrough. */
+static bool write_rounding(FILE *out, const Options *options, const Walkthrough *walk, WalkthroughStyle style,
+                           Error *error)
+{
+    Rounding rounding;
+    bool made = rounding_make(&rounding, walk, &options->settings, error);
+    bool written = made && (options->format != WALKTHROUGH_JSON || rounding_write_json(out, &rounding, error));
+    if (made && options->format == WALKTHROUGH_TEXT)
+        rounding_write_text(out, &rounding, style);
+    rounding_free(&rounding);
+    return written;
+}
+
+static bool write_walk(FILE *out, const Options *options, const Walkthrough *walk, WalkthroughStyle style, Error *error)
+{
+    if (options->settings.arithmetic == ARITHMETIC_TEXTBOOK)
+        return write_rounding(out, options, walk, style, error);
+    return walkthrough_writer(options->format)(out, walk, style, error);
+}
+
 /* One walkthrough, or several: text below text, JSON in an array. */
 static bool write_walks(FILE *out, const Options *options, const Walkthrough *walks, WalkthroughStyle style,
                         Error *error)
@@ -98,7 +134,7 @@ static bool write_walks(FILE *out, const Options *options, const Walkthrough *wa
     for (int i = 0; i < count && done; i++) {
         if (count > 1)
             fputs(json ? i > 0 ? "," : "[" : i > 0 ? "\n" : "", out);
-        done = walkthrough_writer(options->format)(out, &walks[i], style, error);
+        done = write_walk(out, options, &walks[i], style, error);
     }
     if (json)
         fputs("]\n", out);
@@ -151,6 +187,10 @@ static void note_unused(const Options *options)
         fprintf(stderr, "rectray: note: --verbose does nothing with --format %s\n", format);
     if (options->summary && (options->format == WALKTHROUGH_OBJ || options->format == WALKTHROUGH_SVG))
         fprintf(stderr, "rectray: note: --summary does nothing with --format %s\n", format);
+    if (options->verbose && options->settings.arithmetic == ARITHMETIC_TEXTBOOK)
+        fprintf(stderr, "rectray: note: --verbose does nothing with --arithmetic textbook\n");
+    if (options->precision_given && options->settings.arithmetic == ARITHMETIC_EXACT)
+        fprintf(stderr, "rectray: note: --precision does nothing without --arithmetic textbook; all is in double\n");
 }
 
 /* As the algorithm is taught every face is tested; a tree only where the user asks for one. */

@@ -34,7 +34,7 @@ static Vec3 exact_pixel(const Band *band, RenderReport *counts, int column, int 
 static Vec3 trace_pixel(const Band *band, RenderReport *counts, int column, int row, unsigned char *rgb)
 {
     const RenderSettings *settings = band->settings;
-    const Textbook textbook = {band->scene, settings->shift, counts};
+    const Textbook textbook = {.scene = band->scene, .shift = settings->shift, .report = counts};
     if (settings->arithmetic == ARITHMETIC_EXACT)
         return exact_pixel(band, counts, column, row, rgb);
     return settings->precision == PRECISION_FLOAT ? textbook_pixel_float(&textbook, column, row, rgb)

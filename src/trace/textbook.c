@@ -10,7 +10,9 @@
 #ifdef TEXTBOOK_IN_FLOAT
 typedef float Real;
 #define textbook_pixel textbook_pixel_float
+#define textbook_sample textbook_sample_float
 #define textbook_hit textbook_hit_float
+#define textbook_test textbook_test_float
 #define textbook_points textbook_points_float
 #else
 typedef double Real;
@@ -78,25 +80,37 @@ static Real3 vertex(const Face *face, int k)
     return (Real3){(Real)v[0], (Real)v[1], (Real)v[2]};
 }
 
-/* 3 and 4. Does the ray hit the face, in the plane A x + B y + C z + D = 0, N = (A, B, C)? Fills the face, t and P. */
+/* 3. t in the plane A x + B y + C z + D = 0, N = (A, B, C); N.R is not 0. */
+static Real t_in_plane(const Face *face, Real3 n, RealRay ray)
+{
+    Real d = -dot(n, vertex(face, 0));
+    return -(dot(n, ray.o) + d) / dot(n, ray.r);
+}
+
+/* 4. Inside edge k it is positive, outside negative. */
+static Real side_of_edge(const Face *face, int k, Real3 n, Real3 p)
+{
+    Real3 e = subtract(vertex(face, k + 1), vertex(face, k)), c = subtract(p, vertex(face, k));
+    return dot(n, cross(e, c));
+}
+
+/* 3 and 4. Does the ray hit the face? Fills the face, t and P. */
 static bool hits(const Scene *scene, int index, RealRay ray, Hit *hit)
 {
     const Face *face = &scene->faces[index];
     Real3 n = rounded(scene->planes[index].normal);
-    Real d = -dot(n, vertex(face, 0)), n_dot_r = dot(n, ray.r);
+    Real n_dot_r = dot(n, ray.r);
     if (n_dot_r == 0)
         return false; /* parallel */
-    Real t = -(dot(n, ray.o) + d) / n_dot_r;
+    Real t = t_in_plane(face, n, ray);
     if (!(t > 0))
         return false; /* behind the origin */
     if (face->front_only && n_dot_r > 0)
         return false; /* a one-sided face, from behind */
     Real3 p = add(ray.o, scale(t, ray.r));
-    for (int k = 0; k < face->vertex_count; k++) {
-        Real3 e = subtract(vertex(face, k + 1), vertex(face, k)), c = subtract(p, vertex(face, k));
-        if (dot(n, cross(e, c)) < 0)
+    for (int k = 0; k < face->vertex_count; k++)
+        if (side_of_edge(face, k, n, p) < 0)
             return false; /* outside edge k */
-    }
     *hit = (Hit){.face = index, .t = t, .p = p};
     return true;
 }
@@ -120,22 +134,58 @@ static void place_hit(const Textbook *textbook, RealRay ray, Hit *hit)
     hit->shifted = add(hit->p, scale((Real)textbook->shift, hit->n));
 }
 
-/* 6. Does the light at that position reach the point, or is a face between them, at 0 < t < 1? */
-static bool light_reaches(const Textbook *textbook, const Hit *hit, Real3 position)
+static void tell_hit(const Textbook *textbook, RealRay ray, const Hit *hit)
 {
-    if (!(dot(hit->n, subtract(position, hit->p)) > 0)) {
-        textbook->report->skipped[SKIP_LIGHT_BEHIND]++;
-        return false;
-    }
-    RealRay ray = {hit->shifted, subtract(position, hit->shifted)};
+    TextbookEvent event = {.kind = hit->face < 0 ? TEXTBOOK_MISS : TEXTBOOK_HIT,
+                           .origin = doubles(ray.o),
+                           .direction = doubles(ray.r),
+                           .face = hit->face,
+                           .t = (double)hit->t,
+                           .point = doubles(hit->p),
+                           .normal = doubles(hit->n),
+                           .shifted = doubles(hit->shifted)};
+    if (textbook->listener)
+        textbook->listener->tell(textbook->listener->user, &event);
+}
+
+static void tell_light(const Textbook *textbook, RealRay ray, Real height, int blocker)
+{
+    TextbookEvent event = {.kind = TEXTBOOK_LIGHT,
+                           .origin = doubles(ray.o),
+                           .direction = doubles(ray.r),
+                           .face = -1,
+                           .height = (double)height,
+                           .blocker = blocker};
+    if (textbook->listener)
+        textbook->listener->tell(textbook->listener->user, &event);
+}
+
+/* 6. A face between the ray's origin and the light, at 0 < t < 1; -1: none. */
+static int face_between(const Textbook *textbook, RealRay ray)
+{
     Hit between;
     textbook->report->rays.shadow++;
     for (int i = 0; i < textbook->scene->face_count; i++) {
         textbook->report->face_tests++;
         if (hits(textbook->scene, i, ray, &between) && between.t < 1)
-            return false;
+            return i;
     }
-    return true;
+    return -1;
+}
+
+/* 6. Does the light at that position reach the point, or is it behind the face, or a face between them? */
+static bool light_reaches(const Textbook *textbook, const Hit *hit, Real3 position)
+{
+    RealRay ray = {hit->shifted, subtract(position, hit->shifted)};
+    Real height = dot(hit->n, subtract(position, hit->p));
+    if (!(height > 0)) {
+        textbook->report->skipped[SKIP_LIGHT_BEHIND]++;
+        tell_light(textbook, ray, height, -1);
+        return false;
+    }
+    int blocker = face_between(textbook, ray);
+    tell_light(textbook, ray, height, blocker);
+    return blocker < 0;
 }
 
 /* 7. I = ka ia + kd id (L.N) + ks is (N.H)^(alpha/4), H = (L+V)/|L+V|; of a point in shadow the first term. */
@@ -179,9 +229,11 @@ static Real3 trace_path(const Textbook *textbook, RealRay ray)
     Real weight = 1;
     for (int bounces = 0;; bounces++) {
         Hit hit = nearest_hit(textbook, ray);
+        if (hit.face >= 0)
+            place_hit(textbook, ray, &hit);
+        tell_hit(textbook, ray, &hit);
         if (hit.face < 0)
             return add(total, scale(weight, rounded(shading->background)));
-        place_hit(textbook, ray, &hit);
         Real3 r = unit(ray.r), v = shading->viewer == VIEWER_RAY ? scale(-1, r) : unit(subtract(eye, hit.p));
         int reaching;
         total = add(total, scale(weight, shade(textbook, &hit, v, &reaching)));
@@ -218,7 +270,24 @@ Vec3 textbook_pixel(const Textbook *textbook, int column, int row, unsigned char
     return doubles(average);
 }
 
-/* --- Single steps, for tests --- */
+/* --- Single steps --- */
+
+Vec3 textbook_sample(const Textbook *textbook, int column, int row, int i, int j)
+{
+    return doubles(trace_path(textbook, primary_ray(textbook->scene, column, row, i, j)));
+}
+
+TextbookTest textbook_test(const Textbook *textbook, int face, Vec3 origin, Vec3 direction)
+{
+    const Face *tested = &textbook->scene->faces[face];
+    Real3 n = rounded(textbook->scene->planes[face].normal);
+    RealRay ray = {rounded(origin), rounded(direction)};
+    Real n_dot_r = dot(n, ray.r), t = n_dot_r == 0 ? 0 : t_in_plane(tested, n, ray);
+    TextbookTest test = {.n_dot_r = (double)n_dot_r, .t = (double)t};
+    for (int k = 0; k < tested->vertex_count; k++)
+        test.edge_value[k] = (double)side_of_edge(tested, k, n, add(ray.o, scale(t, ray.r)));
+    return test;
+}
 
 double textbook_hit(const Textbook *textbook, int face, Vec3 origin, Vec3 direction)
 {
