@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What `rectray trace` prints, kept as text, so that a change in its wording shows in review: tests/golden/*.txt, and
-docs/walkthrough.md, a chapter around such output. Both begin with the command that printed them.
+docs/walkthrough.md, a chapter around such output. Both begin with the command that printed them. docs/rounding.md has
+the whole output of each block of commands, and the pictures that they make.
 
     python3 tests/golden_test.py --renew (make golden) writes them anew; the difference is then git's to show.
 
@@ -10,13 +11,17 @@ import glob
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 
+from support.program import png_pixels
+
 PROGRAM = os.path.abspath(os.environ.get("RECTRAY", "build/rectray"))
 CHAPTER = "docs/walkthrough.md"
+LESSONS = "docs/rounding.md"
 # Drawings, each by the command that its page gives: `rectray ... -o PATH`.
 DRAWINGS = {"docs/images/walkthrough-gallery.svg": CHAPTER, "docs/images/trees-kdtree.svg": "docs/trees.md",
             "docs/images/trees-bvh.svg": "docs/trees.md"}
@@ -25,6 +30,11 @@ GOLDEN = sorted(glob.glob("tests/golden/*.txt"))
 
 def read(path):
     with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def read_bytes(path):
+    with open(path, "rb") as file:
         return file.read()
 
 
@@ -78,6 +88,36 @@ def chapter_text():
     return re.sub(r"^```(console|text)\n(.*?)^```\n", renewed, read(CHAPTER), flags=re.M | re.S)
 
 
+def run_lines(lines, folder):
+    """What the commands print; `rectray compare` ends with 1 where pictures differ."""
+    out = ""
+    for line in lines.strip().split("\n"):
+        words = shlex.split(line.removeprefix("$ "))
+        run = subprocess.run([PROGRAM, *words[1:]], cwd=folder, capture_output=True, encoding="utf-8", check=False)
+        assert run.returncode == 0 or (words[1] == "compare" and run.returncode == 1), line + run.stderr
+        out += run.stdout
+    return out
+
+
+def lessons(folder):
+    """The page with each block of output written anew. Its pictures, by their paths in docs/, are in the folder."""
+    os.symlink(os.path.abspath("scenes"), os.path.join(folder, "scenes"))
+    pictures = {}
+
+    def renewed(match):
+        out = run_lines(match.group(1), folder)
+        if "--heatmap apart.png" in match.group(1):
+            lesson = re.search(r"scenes/lessons/(\w+)\.json", match.group(1)).group(1)
+            for name in ("textbook", "exact", "apart"):
+                path = f"images/rounding-{lesson}-{name}.png"
+                pictures[path] = os.path.join(folder, f"{lesson}-{name}.png")
+                shutil.copy(os.path.join(folder, f"{name}.png"), pictures[path])
+        return f"```console\n{match.group(1)}```\n\n```text\n{out.rstrip()}\n```\n"
+
+    text = re.sub(r"^```console\n(.*?)^```\n\n```text\n.*?^```\n", renewed, read(LESSONS), flags=re.M | re.S)
+    return text, pictures
+
+
 class Golden(unittest.TestCase):
     maxDiff = None
 
@@ -114,6 +154,59 @@ class Chapter(unittest.TestCase):
             self.assertRegex(read(path), rf"(?m)^[^\s].*\b{function}\(.*\n\{{", f"{function} in {path}")
 
 
+def numbers_of(text):
+    return set(re.findall(r"\d+(?:\.\d+)?(?:e-?\d+)?", text))
+
+
+class Lessons(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.holder = tempfile.TemporaryDirectory()
+        cls.text, cls.pictures = lessons(cls.holder.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.holder.cleanup()
+
+    def test_the_output_is_the_program_s(self):
+        self.assertEqual(read(LESSONS), self.text, "`make golden` renews it")
+
+    def test_there_is_a_lesson_for_each_scene_with_its_pictures(self):
+        scenes = [os.path.basename(path)[:-5] for path in glob.glob("scenes/lessons/*.json")]
+        self.assertEqual(len(self.pictures), 3 * len(scenes))
+        for path, made in self.pictures.items():
+            with self.subTest(f"docs/{path}: `make golden` renews it"):
+                kept = read_bytes(f"docs/{path}")
+                self.assertIn(f"]({path})", self.text)
+                self.assertEqual(png_pixels(kept), png_pixels(read_bytes(made)))
+                self.assertLess(len(kept), 40000)
+
+    def test_every_lesson_has_its_pixel_its_cure_and_a_proof(self):
+        for lesson in re.findall(r"(?ms)^## \d\. (.*?)(?=^## )", self.text):
+            with self.subTest(lesson.split("\n")[0]):
+                self.assertIn("Here the two part.", lesson)
+                self.assertRegex(lesson, r"\*\*The cure\.\*\*(?s:.)*\]\(bounds\.md#[\w-]+\)")
+
+    def test_every_number_of_the_prose_is_printed_or_in_a_scene(self):
+        prose = re.sub(r"(?ms)^```.*?^```|\]\([^)]*\)|`[^`]*`|P\d|^## \d|^- .*?(?=^- |^$)", "", self.text)
+        printed = "".join(re.findall(r"(?ms)^```text\n(.*?)^```", self.text))
+        printed += "".join(map(read, glob.glob("scenes/lessons/*.json")))
+        sizes = {re.sub(r"^[\d.]+e", "1e", number) for number in numbers_of(printed) if "e-" in number}
+        missing = {number for number in numbers_of(prose) if number not in numbers_of(printed) | sizes}
+        self.assertEqual(missing - {"0", "7", "16"}, set())
+
+
+def renew_lessons():
+    with tempfile.TemporaryDirectory() as folder:
+        text, pictures = lessons(folder)
+        for path, made in pictures.items():
+            shutil.copy(made, f"docs/{path}")
+    with open(LESSONS, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
 def renew():
     for path in GOLDEN:
         text = golden_text(path)
@@ -126,6 +219,7 @@ def renew():
     text = chapter_text()
     with open(CHAPTER, "w", encoding="utf-8") as file:
         file.write(text)
+    renew_lessons()
 
 
 if __name__ == "__main__":

@@ -125,7 +125,7 @@ test-opencl: ## run the suites that render on Intel's CPU runtime, fetched into 
 # --- Texts that are renewed -----------------------------------------------------------------------------------
 
 .PHONY: golden
-golden: $(PROGRAM) ## renew tests/golden/ and the output in docs/walkthrough.md after a change of wording
+golden: $(PROGRAM) ## renew tests/golden/ and the output in docs/walkthrough.md and rounding.md
 	RECTRAY=$(abspath $(PROGRAM)) python3 tests/golden_test.py --renew
 
 .PHONY: stability
