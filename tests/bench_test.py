@@ -3,11 +3,13 @@ import csv
 import json
 import os
 import resource
+import shutil
 import signal
 import subprocess
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 from support.program import PROGRAM as RECTRAY, SOAK
 
@@ -301,6 +303,26 @@ class Kernels(BenchTest):
         self.assertTrue(text.startswith("before\n" + self.MARKS[0]))
         self.assertTrue(text.endswith(self.MARKS[1] + "after\n"))
         self.assertNotIn("stale", text)
+
+    def test_classes_of_tiles_change_what_is_tested(self):
+        self.bench("kernels", self.SCENE, "--folder", "files")
+        rows = {(row["kernel"], row["lanes"], row["tiles"]): row["face_tests"] for row in self.rows("many_lights")}
+        self.assertNotEqual([rows["packet", lanes, "0"] for lanes in ("4", "8", "16")],
+                            [rows["packet", lanes, "1"] for lanes in ("4", "8", "16")])
+
+    def test_a_kernel_with_another_picture_is_told_of(self):
+        mine = os.path.join(self.folder.name, "mine")
+        shutil.copytree("kernels", mine)
+        with open(os.path.join(mine, "plain.cl")) as file:
+            kernel = file.read()
+        with open(os.path.join(mine, "plain.cl"), "w") as file:
+            file.write(kernel.replace("sum / (real)(grid * grid)", "(real3)1 - sum / (real)(grid * grid)"))
+        with unittest.mock.patch.dict(os.environ, RECTRAY_KERNELS=mine):
+            text = self.bench("kernels", self.SCENE, "--precision=double", "--folder", "files").stdout
+        for row in self.rows("many_lights"):
+            differs = row["kernel"] == "plain"
+            self.assertEqual((int(row["differing"]) > 0, int(row["off_by_more_than_1"]) > 0), (differs, differs))
+        self.assertRegex(text, r"plain, bvh .* \d+ pixels differ, \d+ by more than 1 \|")
 
     def test_rows_without_a_tree_that_take_minutes_are_left_out(self):
         with open(os.path.join(self.folder.name, "grid.json"), "w") as scene:
