@@ -60,10 +60,32 @@ static InkText light_words(const Summary *summary, const SummaryHit *hit, bool b
     return scene->light_count > 0 ? words : ink_text("the scene has no light");
 }
 
+/* "light 2 reaches it; light 1 behind; lights 0, 3 blocked by ceiling/3...". */
+static InkText terse_words(const Summary *summary, const SummaryHit *hit)
+{
+    InkText words = {""};
+    int count;
+    InkText which = lights_of(summary, hit, LIGHT_REACHES, -1, &count);
+    if (count > 0)
+        words = ink_text("%s reach%s it", which.text, count == 1 ? "es" : "");
+    which = lights_of(summary, hit, LIGHT_BEHIND_FACE, -1, &count);
+    if (count > 0)
+        words = joined(words, ink_text("%s behind", which.text));
+    which = lights_of(summary, hit, LIGHT_BLOCKED, -1, &count);
+    for (int i = 0; i < summary->walk->scene->light_count && count > 0; i++)
+        if (hit->lights[i].verdict == LIGHT_BLOCKED)
+            return joined(words, ink_text("%s blocked by %s%s", which.text,
+                                          walkthrough_face_words(summary->walk->scene, hit->lights[i].blocker, 12).text,
+                                          count > 1 ? "..." : ""));
+    return words;
+}
+
 InkText walkthrough_summary_lights(const Summary *summary, const SummaryHit *hit, int columns)
 {
     InkText words = light_words(summary, hit, false);
-    return ink_width(words.text) <= columns ? words : light_words(summary, hit, true);
+    if (ink_width(words.text) > columns)
+        words = light_words(summary, hit, true);
+    return ink_width(words.text) > columns ? terse_words(summary, hit) : words;
 }
 
 InkText walkthrough_summary_light_count(const Summary *summary, const SummaryHit *hit)

@@ -63,21 +63,27 @@ typedef struct EdgeTexts {
     InkText cells[EDGE_CELLS];
 } EdgeTexts;
 
-static EdgeTexts edge_texts(const Face *face, int k, Vec3 point)
+static EdgeTexts edge_texts(const Face *face, int k, Vec3 point, int digits)
 {
     WalkthroughEdge edge = walkthrough_edge(face, k, point);
-    return (EdgeTexts){{ink_vector(edge.e, 5), ink_vector(edge.c, 5), ink_vector(vec3_cross(edge.e, edge.c), 5)}};
+    return (EdgeTexts){
+        {ink_vector(edge.e, digits), ink_vector(edge.c, digits), ink_vector(vec3_cross(edge.e, edge.c), digits)}};
 }
 
 /* An edge a line, or two where one is too short. */
 static void print_edges(const Ink *ink, const Face *face, const FaceTest *test, Vec3 point)
 {
     EdgeTexts texts[4];
-    int wide[EDGE_CELLS] = {1, 1, 5};
-    for (int k = 0; k < test->edges; k++) {
-        texts[k] = edge_texts(face, k, point);
-        for (int i = 0; i < EDGE_CELLS; i++)
-            wide[i] = (int)fmax(wide[i], (double)strlen(texts[k].cells[i].text));
+    int wide[EDGE_CELLS];
+    for (int digits = 5, room = -1; room < 0 && digits >= 3; digits--) {
+        wide[0] = wide[1] = 1, wide[2] = 5;
+        for (int k = 0; k < test->edges; k++) {
+            texts[k] = edge_texts(face, k, point, digits);
+            for (int i = 0; i < EDGE_CELLS; i++)
+                wide[i] = (int)fmax(wide[i], (double)strlen(texts[k].cells[i].text));
+        }
+        room =
+            ink->columns - (14 + wide[0] + 2 + (wide[1] > wide[2] + 18 - wide[0] ? wide[1] : wide[2] + 18 - wide[0]));
     }
     bool one_line = 14 + wide[0] + 2 + wide[1] + 2 + wide[2] + 2 + 12 + 4 <= ink->columns;
     InkText new_line = one_line ? ink_text("  ") : ink_text("\n%*s", 14, "");
