@@ -1,5 +1,11 @@
-/* The nearest faces of one packet of rays from a list. If all its rays start at one point, they are searched like those
- * of a tile. Otherwise each face is tested exactly. */
+/* The nearest faces of one packet of rays from a list.
+ *
+ *     all rays start at one point:  search like the rays of a tile, nearest.cl
+ *     otherwise:
+ *         for each leaf that the bounds of the rays meet:
+ *             test each of its faces exactly;  a nearer hit shortens the bounds
+ *
+ * Rays without a common origin cost a sum for each edge, face and ray that others share. `cast` alone needs them. */
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "packet/accel.cl"

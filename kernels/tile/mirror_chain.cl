@@ -1,4 +1,13 @@
-/* The chain of hits that all rays of a window have in common: a face, what it mirrors, what that mirrors, and so on. */
+/* The chain of hits that all rays of a window have in common: a face, what it mirrors, what that mirrors, and so on. A
+ * plane mirror makes of the camera another camera, its image (Heckbert and Hanrahan, "Beam Tracing Polygonal Objects",
+ * 1984). Where the chain ends, the exact rays are made by following the mirrors:
+ *
+ *     ray = from the camera through the pixel
+ *     for each hit of the chain:
+ *         point = where the ray meets the face;  ray = mirrored there
+ *
+ * It costs a mirrored step for each packet and mirror. It buys searches with a common origin behind mirrors: mirrors
+ * 83.7 to 34.6 ms, together with the class of the first hit. docs/kernels.md, section 13. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "packet/camera.cl"

@@ -1,6 +1,11 @@
 /* The shadow of a light that reaches a part of a facet: ray by ray, among the faces that the window's corners have not
- * ruled out. Most rays start from approximate points. The exact ones are there for rays that pass an edge too
- * closely. */
+ * ruled out.
+ *
+ *     each packet: its shadow rays, along the reversed ray from the light to the approximate points
+ *     all packets: find_blocked, beginning where the search of the corners ended
+ *
+ * It costs the exact rays of the tile, from which a point is made where a ray passes an edge too closely. It buys that
+ * a partly shadowed facet stays uniform; its gain is part of whole_tile. docs/kernels.md, section 12. */
 #include "shared/compiler.cl"
 #include "shared/precision.cl"
 #include "packet/apex.cl"

@@ -1,7 +1,10 @@
-/* Tiles of blocks that are not uniform. A tile is classified hit by hit, as far as its rays go. It goes on from what
- * its block has found. Its packets are shaded on the way. A light that reaches only a part of a facet is searched for
- * ray by ray. Where the rays may hit different faces, their exact rays are made, and packet/trace.cl goes on with
- * them. */
+/* Tiles of blocks that are not uniform. A tile goes on from what its block has found.
+ *
+ *     follow_facets: classify and shade hit by hit, as far as all rays hit the same face
+ *     the rays may hit different faces: make the exact rays, and packet/trace.cl goes on with them
+ *
+ * It costs the search of four corner rays, in vain where the tile is mixed at once. It buys one search for 64 rays:
+ * cornell 50.1 to 11.6 ms with whole tiles. In large scenes it is a loss of up to 7 %. docs/kernels.md, section 11. */
 #include "shared/compiler.cl"
 #include "packet/camera.cl"
 #include "packet/lanes.cl"
