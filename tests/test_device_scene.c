@@ -105,7 +105,7 @@ static void pack_random_faces(unsigned char *closed, int count, Precision precis
         Vec3 opposite = vec3_add(vec3_add(vec3_add(a, u), v), random_point(bend));
         Face face = i % 4 ? face_quad(a, vec3_add(a, u), opposite, vec3_add(a, v))
                           : face_triangle(a, vec3_add(a, u), vec3_add(a, v));
-        small_scene_face(&small, 0, face)->front_only = i % 5 == 0;
+        small_scene_face(&small, 0, face)->one_sided = i % 5 == 0;
         closed[i] = i % 7 == 0;
     }
     TEST_ASSERT_TRUE_MESSAGE(

@@ -159,7 +159,7 @@ static void build_scattered_faces(Vec3 middle, double step)
         Vec3 b = vec3_add(a, u), d = vec3_add(a, v);
         Face face = i % 3 ? face_quad(a, b, vec3_add(b, v), d) : face_triangle(a, b, d);
         if (vec3_length(vec3_cross(u, v)) > 0)
-            small_scene_face(&small, 0, face)->front_only = i % 5 == 0;
+            small_scene_face(&small, 0, face)->one_sided = i % 5 == 0;
     }
     for (int i = 0; i < small.scene.face_count; i++)
         for (int k = 0; k < 3; k++)

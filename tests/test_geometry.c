@@ -300,13 +300,13 @@ static void plane_hit_should_include_its_limit(void)
     TEST_ASSERT_EQUAL_INT(FACE_FARTHER, face_test(&face, &plane, ray, nextafter(2, 0), false).verdict);
 }
 
-static void front_only_face_should_pass_rays_from_behind(void)
+static void one_sided_face_should_pass_rays_from_behind(void)
 {
     Face face = unit_square();
-    face.front_only = 1;
+    face.one_sided = 1;
     TEST_ASSERT_EQUAL_INT(FACE_INSIDE, test_ray(face, vec3(0.5, 0.5, 1), vec3(0, 0, -1)).verdict);
     TEST_ASSERT_EQUAL_INT(FACE_BACK, test_ray(face, vec3(0.5, 0.5, -1), vec3(0, 0, 1)).verdict);
-    face.front_only = 0;
+    face.one_sided = 0;
     TEST_ASSERT_EQUAL_INT(FACE_INSIDE, test_ray(face, vec3(0.5, 0.5, -1), vec3(0, 0, 1)).verdict);
 }
 
@@ -490,10 +490,10 @@ static void segment_should_be_exact_between_distant_ends(void)
                           test_segment(unit_square(), vec3(1 + 0x1p-52, 0.5, 1), vec3(1 - 0x1p-52, 0.5, -1)).verdict);
 }
 
-static void segment_should_pass_front_only_faces_from_behind(void)
+static void segment_should_pass_one_sided_faces_from_behind(void)
 {
     Face face = unit_square();
-    face.front_only = 1;
+    face.one_sided = 1;
     TEST_ASSERT_EQUAL_INT(FACE_INSIDE, test_segment(face, vec3(0.5, 0.5, 1), vec3(0.5, 0.5, -1)).verdict);
     TEST_ASSERT_EQUAL_INT(FACE_BACK, test_segment(face, vec3(0.5, 0.5, -1), vec3(0.5, 0.5, 1)).verdict);
 }
@@ -569,7 +569,7 @@ int main(void)
     RUN_TEST(plane_hit_should_reject_an_origin_in_the_plane);
     RUN_TEST(plane_hit_should_accept_the_least_distance_ahead);
     RUN_TEST(plane_hit_should_include_its_limit);
-    RUN_TEST(front_only_face_should_pass_rays_from_behind);
+    RUN_TEST(one_sided_face_should_pass_rays_from_behind);
     RUN_TEST(edge_values_should_be_the_distances_in_a_unit_square);
     RUN_TEST(each_edge_should_reject_what_lies_beyond_it);
     RUN_TEST(each_edge_of_a_triangle_should_reject_what_lies_beyond_it);
@@ -583,7 +583,7 @@ int main(void)
     RUN_TEST(segment_should_measure_t_from_0_to_1);
     RUN_TEST(segment_should_pass_beside_and_touch_edges);
     RUN_TEST(segment_should_be_exact_between_distant_ends);
-    RUN_TEST(segment_should_pass_front_only_faces_from_behind);
+    RUN_TEST(segment_should_pass_one_sided_faces_from_behind);
     RUN_TEST(shifted_point_should_lie_on_its_side_and_near);
     RUN_TEST(shifted_point_should_mend_a_point_on_the_wrong_side);
     return UNITY_END();

@@ -166,14 +166,14 @@ static void shared_edge_should_belong_to_the_first_face_in_the_file(void)
     ASSERT_VEC3_WITHIN(EXACT, 0.5, 0.5, 0.5, pixel());
 }
 
-static void front_only_face_should_be_seen_through_from_behind(void)
+static void one_sided_face_should_be_seen_through_from_behind(void)
 {
     add_floor(glow(0.25, 0));
     Face *veil = small_scene_face(&small, small_scene_material(&small, glow(1, 0)),
                                   face_quad(vec3(-1, 1, 0.5), vec3(1, 1, 0.5), vec3(1, -1, 0.5), vec3(-1, -1, 0.5)));
     small_scene_light(&small, vec3(0, 0, 2));
     ASSERT_VEC3_WITHIN(EXACT, 1, 1, 1, pixel());
-    veil->front_only = 1; /* for the shadow ray, which meets its front, it is still there */
+    veil->one_sided = 1; /* for the shadow ray, which meets its front, it is still there */
     ASSERT_VEC3_WITHIN(0, 0, 0, 0, pixel());
     TEST_ASSERT_EQUAL_INT(0, event_of(EVENT_HIT, 0)->as.hit.face);
     TEST_ASSERT_EQUAL_INT(1, event_of(EVENT_LIGHT_END, 0)->as.light_end.blocker);
@@ -297,7 +297,7 @@ static void occluder_in_the_plane_of_the_shadow_ray_should_not_shadow(void)
     TEST_ASSERT_TRUE(is_lit());
 }
 
-static void front_only_occluder_should_shadow_by_its_side(void)
+static void one_sided_occluder_should_shadow_by_its_side(void)
 {
     look_from_the_side();
     add_floor(glow(0.5, 0));
@@ -305,10 +305,10 @@ static void front_only_occluder_should_shadow_by_its_side(void)
     /* Its front is up, the ray comes from below. */
     Face *occluder = small_scene_face(&small, 0, face_at_height(-0.1, -0.1, 0.1, 0.1, 1));
     TEST_ASSERT_FALSE(is_lit());
-    occluder->front_only = 1;
+    occluder->one_sided = 1;
     TEST_ASSERT_TRUE(is_lit());
     Face turned = face_quad(vec3(-1, 1, 1), vec3(1, 1, 1), vec3(1, -1, 1), vec3(-1, -1, 1));
-    small_scene_face(&small, 0, turned)->front_only = 1;
+    small_scene_face(&small, 0, turned)->one_sided = 1;
     TEST_ASSERT_FALSE(is_lit());
 }
 
@@ -659,7 +659,7 @@ static void face_events_should_give_the_verdict_on_every_face(void)
     small_scene_face(&small, 0,
                      face_quad(vec3(1, 0, 0), vec3(1, 1, 0), vec3(1, 1, 1), vec3(1, 0, 1))); /* 4: parallel */
     small_scene_face(&small, 0, face_quad(vec3(-1, 1, 0.5), vec3(1, 1, 0.5), vec3(1, -1, 0.5), vec3(-1, -1, 0.5)))
-        ->front_only = 1; /* 5: back */
+        ->one_sided = 1; /* 5: back */
     pixel();
     const FaceVerdict expected[] = {FACE_INSIDE, FACE_FARTHER, FACE_BEHIND, FACE_OUTSIDE, FACE_PARALLEL, FACE_BACK};
     for (int i = 0; i < 6; i++) {
@@ -683,7 +683,7 @@ int main(void)
     RUN_TEST(nearest_face_should_be_seen_wherever_it_stands_in_the_file);
     RUN_TEST(tie_should_go_to_the_first_face_in_the_file);
     RUN_TEST(shared_edge_should_belong_to_the_first_face_in_the_file);
-    RUN_TEST(front_only_face_should_be_seen_through_from_behind);
+    RUN_TEST(one_sided_face_should_be_seen_through_from_behind);
     RUN_TEST(miss_should_show_the_background);
     RUN_TEST(nearest_should_leave_out_the_face_to_skip);
     RUN_TEST(light_behind_the_face_should_leave_it_black_without_a_ray);
@@ -693,7 +693,7 @@ int main(void)
     RUN_TEST(occluder_next_to_the_point_should_shadow);
     RUN_TEST(occluder_should_shadow_up_to_its_edge);
     RUN_TEST(occluder_in_the_plane_of_the_shadow_ray_should_not_shadow);
-    RUN_TEST(front_only_occluder_should_shadow_by_its_side);
+    RUN_TEST(one_sided_occluder_should_shadow_by_its_side);
     RUN_TEST(blocker_should_be_the_first_in_the_file);
     RUN_TEST(face_should_never_shadow_itself);
     RUN_TEST(black_rule_should_drop_the_ambient_term_of_a_shadowed_light);

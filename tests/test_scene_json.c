@@ -124,7 +124,7 @@ static void objects_should_number_their_faces_in_file_order(void)
         TEST_ASSERT_EQUAL(numbers[i], scene.faces[i].number);
         TEST_ASSERT_EQUAL(materials[i], scene.faces[i].material);
         TEST_ASSERT_EQUAL(i >= 6, scene.faces[i].object);
-        TEST_ASSERT_EQUAL(i >= 6, scene.faces[i].front_only);
+        TEST_ASSERT_EQUAL(i >= 6, scene.faces[i].one_sided);
         TEST_ASSERT_EQUAL(i < 6 ? 4 : 3, scene.faces[i].vertex_count);
     }
 }

@@ -183,7 +183,7 @@ static void tiles_that_see_the_same_should_be_traced_by_their_corners(void)
                                                              .reflection = 0.6});
         small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -5));
         small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, 2));
-        small.scene.faces[0].front_only = small.scene.faces[1].front_only = k % 3 == 2;
+        small.scene.faces[0].one_sided = small.scene.faces[1].one_sided = k % 3 == 2;
         double left = (double)lefts[k], low = (double)heights[k];
         add_box(small_scene_material(&small, MATT), vec3(left, low, -3), vec3(left + 2, low + 1.5, -2.5));
         small_scene_light(&small, vec3(0.9, 1.5, 1));
@@ -209,7 +209,7 @@ static void tiles_that_see_the_same_should_be_traced_by_their_corners(void)
 static void tiles_should_go_on_whole_from_one_sided_mirrors(void)
 {
     int mirror = small_scene_material(&small, (Material){.diffuse = {0.4, 0.5, 0.6}, .reflection = 0.5});
-    small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -5))->front_only = true;
+    small_scene_face(&small, mirror, face_at_height(-50, -50, 50, 50, -5))->one_sided = true;
     small_scene_light(&small, vec3(1, 3, 0));
     Picture picture;
     RenderSettings settings = {.device = -1, .lanes = 16, .accel = ACCEL_NONE}; /* the picture is one block then */
@@ -245,14 +245,14 @@ static void faces_that_no_ray_can_hit_should_be_left_out(void)
 {
     int matt = small_scene_material(&small, MATT);
     small_scene_face(&small, matt, face_at_height(-50, -50, 50, 50, -5));
-    small_scene_face(&small, matt, face_at_height(-1, -1, 1, 1, -3))->front_only = 1;
-    small_scene_face(&small, matt, face_at_height(-1, -1, 1, 1, 3))->front_only = 1;
+    small_scene_face(&small, matt, face_at_height(-1, -1, 1, 1, -3))->one_sided = 1;
+    small_scene_face(&small, matt, face_at_height(-1, -1, 1, 1, 3))->one_sided = 1;
     small_scene_light(&small, vec3(0, 2, -1));
     /* The first two are seen; the third, behind the camera, might block light from its front to the light behind it. */
     assert_skipped(SKIP_UNREACHABLE_FACE, ACCEL_NONE, 0);
     small.lights[0].position = vec3(0, 2, 5);
     assert_skipped(SKIP_UNREACHABLE_FACE, ACCEL_NONE, 1); /* one-sided, it lets the light through from its back */
-    small.faces[2].front_only = 0;
+    small.faces[2].one_sided = 0;
     assert_skipped(SKIP_UNREACHABLE_FACE, ACCEL_NONE, 0); /* now it blocks it */
 }
 
@@ -320,9 +320,9 @@ static void box_should_be_closed_only_if_it_is_whole_and_two_sided_and_nothing_i
     TEST_ASSERT_EQUAL_INT_MESSAGE(0, closed_faces(), "the camera on the box");
     small.scene.camera.position = vec3(0, 0, 0);
 
-    small.faces[3].front_only = 1;
+    small.faces[3].one_sided = 1;
     TEST_ASSERT_EQUAL_INT_MESSAGE(0, closed_faces(), "a one-sided face");
-    small.faces[3].front_only = 0;
+    small.faces[3].one_sided = 0;
     Face kept = small.faces[3];
     small.faces[3] =
         face_quad(corner_of(low, high, 3), corner_of(low, high, 7), corner_of(low, high, 6), corner_of(low, high, 2));

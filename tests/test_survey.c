@@ -34,10 +34,10 @@ void tearDown(void)
     survey_free(&survey);
 }
 
-static void put_face(Vec3 centre, int axis, int front_only)
+static void put_face(Vec3 centre, int axis, int one_sided)
 {
     static const float corners[4][2] = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}};
-    face = (Face){.vertex_count = 4, .front_only = front_only};
+    face = (Face){.vertex_count = 4, .one_sided = one_sided};
     for (int k = 0; k < 4; k++) {
         face.vertices[k][0] = (float)centre.x;
         face.vertices[k][1] = (float)centre.y;
@@ -83,7 +83,7 @@ static void survey_should_count_a_face_that_turns_its_back(void)
     assert_unseen(0, 1, 0, 0);     /* the light is behind it: it may block */
     light.position = vec3(0, 0, 9);
     assert_unseen(0, 1, 0, 1); /* shadow rays to this light come through its back */
-    face.front_only = 0;
+    face.one_sided = 0;
     assert_unseen(0, 0, 1, 0); /* two-sided: only its place behind the camera hides it */
 }
 

@@ -104,7 +104,7 @@ static Scene square_scene(void)
     TEST_ASSERT_GREATER_OR_EQUAL(1, scene.face_count);
     memcpy(scene.faces[0].vertices, corners, sizeof corners);
     scene.faces[0].vertex_count = 4;
-    scene.faces[0].front_only = 0;
+    scene.faces[0].one_sided = 0;
     scene.planes[0] = face_plane(&scene.faces[0]);
     return scene;
 }
@@ -130,7 +130,7 @@ static void textbook_hit_should_follow_the_steps(void)
     assert_hit(&scene, 0, vec3(1.5, 0, 5), vec3(0, 0, -1));
     assert_hit(&scene, 0, vec3(0, 1.5, 5), vec3(0, 0, -1));
     assert_hit(&scene, 0, vec3(-1.5, 0, 5), vec3(0, 0, -1));
-    scene.faces[0].front_only = 1;
+    scene.faces[0].one_sided = 1;
     assert_hit(&scene, 4, vec3(0, 0, 5), vec3(0, 0, -1));
     assert_hit(&scene, 0, vec3(0, 0, -5), vec3(0, 0, 1)); /* from behind */
     scene_free(&scene);

@@ -160,7 +160,7 @@ static void add_card(uint64_t *seed)
                           vec3_sub(centre, difference));
     if (face_plane(&face).length == 0)
         return;
-    face.front_only = random_next(seed) % 4 == 0;
+    face.one_sided = random_next(seed) % 4 == 0;
     small_scene_face(&small, unshaded(vec3(fabs(random_unit(seed)), fabs(random_unit(seed)), fabs(random_unit(seed)))),
                      face);
 }

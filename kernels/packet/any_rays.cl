@@ -54,7 +54,7 @@ static Hit find_nearest_from_point(const World *world, const Ray *ray, Mask acti
     OriginPacket packets[PACKETS];
     Nearest nearest[PACKETS];
     Ray rays[PACKETS];
-    Mask uncertain[PACKETS];
+    Mask near_ties[PACKETS];
     Vec direction = vec_to_real(ray->direction);
     EACH_PACKET(p) {
         rays[p] = *ray;
@@ -66,7 +66,7 @@ static Hit find_nearest_from_point(const World *world, const Ray *ray, Mask acti
     wide origin[3] = {first_wide(ray->origin.x), first_wide(ray->origin.y), first_wide(ray->origin.z)};
     Apex a = apex_at(origin, 0, -lanes_lowest(active ? -vec_magnitudes(direction) : (Lanes)0));
     RayBounds bounds = bounds_from(&a, packets, PACKETS, 0);
-    Group group = {PACKETS, packets, rays, nearest, uncertain};
+    Group group = {PACKETS, packets, rays, nearest, near_ties};
     find_nearest_from(world, &a, &group, &bounds, 0, false);
     return exact_hit(world, ray, nearest, active);
 }

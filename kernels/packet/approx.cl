@@ -15,7 +15,7 @@
 #include "packet/vectors.cl"
 #include "packet/world.cl"
 
-#define HAS_APPROX (!PLAIN_IS_POOR)
+#define HAS_APPROX (!ROUNDED_IS_POOR)
 #define APPROX_MOST ((real)0x1p-14f)
 
 typedef struct ApproxPoint {

@@ -32,16 +32,17 @@ INLINE Hit no_hit(void)
     return hit;
 }
 
-/* Where the active rays meet the plane of face i. ahead: the lanes whose ray meets the face's box. t_in_box: as Hit. */
+/* Where the active rays meet the plane of face i. meets_box: the lanes whose ray meets the face's box. t_in_box: as
+ * Hit. */
 INLINE PlaneHit hit_in_box(const World *world, int i, const Ray *ray, WideMask active, Wide *t_in_box,
-                           WideMask *ahead)
+                           WideMask *meets_box)
 {
     PlaneHit hit = plane_hit(world, i, &ray->origin, &ray->direction, active);
     *t_in_box = hit.t;
-    *ahead = (WideMask)-1;
+    *meets_box = (WideMask)-1;
     if (!face_is_flat(world, i)) {
         Interval in_box = interval_in_box(world->faces + i, ray);
-        *ahead = IS(in_box.enter <= in_box.leave);
+        *meets_box = IS(in_box.enter <= in_box.leave);
         *t_in_box = *t_in_box < in_box.enter ? in_box.enter : *t_in_box;
         *t_in_box = *t_in_box > in_box.leave ? in_box.leave : *t_in_box;
     }

@@ -44,13 +44,13 @@ typedef struct Group {
     OriginPacket *packets;
     const Ray *rays;
     Nearest *nearest;
-    Mask *uncertain; /* collects the lanes for which a culled face of a closed box might matter */
+    Mask *near_ties; /* collects the lanes for which a culled face of a closed box might matter */
 } Group;
 
 /* `count` packets of a group, from packet p on. */
 INLINE Group part_of_group(const Group *g, int p, int count)
 {
-    Group part = {count, g->packets + p, g->rays + p, g->nearest + p, g->uncertain + p};
+    Group part = {count, g->packets + p, g->rays + p, g->nearest + p, g->near_ties + p};
     return part;
 }
 
@@ -67,8 +67,8 @@ INLINE bool intersect_packet(const World *world, const Group *g, int p, Visibili
 {
     const OriginPacket *packet = g->packets + p;
     if (visibility == VISIBLE)
-        return intersect_nearest_from(world, packet, g->rays + p, face, i, g->nearest + p, g->uncertain + p);
-    g->uncertain[p] |= packet->active;
+        return intersect_nearest_from(world, packet, g->rays + p, face, i, g->nearest + p, g->near_ties + p);
+    g->near_ties[p] |= packet->active;
     Mask tested = packet->active & IS(packet->from != (Mask)i);
     return resolve_nearest_exactly(world, g->rays + p, tested, i, g->nearest + p);
 }
@@ -123,14 +123,14 @@ INLINE bool traverse_nearest(const World *world, const Apex *a, const Group *g, 
 }
 
 /* Finds the nearest faces of a whole tile: of all its packets together, then of single packets where a group stops,
- * and then, for the lanes that are uncertain, among all faces once more. bounds: of all rays. resume: a search to go
+ * and then, for the lanes with near ties, among all faces once more. bounds: of all rays. resume: a search to go
  * on with; NULL: the whole tree. Afterwards the packets' active lanes are no longer what they were. There is one call
  * in a loop, so that the search is compiled once. */
 INLINE void find_nearest_from(const World *world, const Apex *a, const Group *all, const RayBounds *bounds,
                               const Traversal *resume, bool cull_boxes)
 {
     EACH_PACKET(p)
-        all->uncertain[p] = (Mask)0;
+        all->near_ties[p] = (Mask)0;
     int count = PACKETS; /* of the groups */
     uint budget = PACKETS > 1 ? NEAREST_BUDGET : NO_BUDGET;
     Traversal begin = resume ? *resume : begin_traversal(world, bounds);
@@ -143,11 +143,11 @@ INLINE void find_nearest_from(const World *world, const Apex *a, const Group *al
             p = -1;
             count = 1;
             budget = NO_BUDGET;
-        } else if (cull_boxes && p + count == PACKETS && any_packet(all->uncertain)) {
+        } else if (cull_boxes && p + count == PACKETS && any_packet(all->near_ties)) {
             cull_boxes = false; /* next: from the beginning */
             begin = begin_traversal(world, bounds);
             EACH_PACKET(k)
-                all->packets[k].active = all->uncertain[k];
+                all->packets[k].active = all->near_ties[k];
             p = -count;
         }
     }

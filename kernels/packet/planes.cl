@@ -15,9 +15,9 @@
 #include "packet/world.cl"
 
 /* Whether t has to be as exact as `wide` can hold it. The float kernel with doubles needs less: plain arithmetic,
- * unless N.x is below PLAIN_LIMIT times the sum of x's magnitudes. */
-#define PLAIN_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
-#define PLAIN_LIMIT (wide)0x1p-20f
+ * unless N.x is below ROUNDED_LIMIT times the sum of x's magnitudes. */
+#define ROUNDED_IS_POOR (REAL_DOUBLE || !HAS_DOUBLE)
+#define ROUNDED_LIMIT (wide)0x1p-20f
 
 typedef struct PlaneRow {
     wide x, y, z;             /* N, rounded */
@@ -39,11 +39,11 @@ static WideVec from_vertex(global const real *row, WideVec point)
     return d;
 }
 
-/* N.x in plain arithmetic. Its error is at most PLAIN_ERROR times the sum of x's magnitudes. With pairs it is
+/* N.x in plain arithmetic. Its error is at most ROUNDED_ERROR times the sum of x's magnitudes. With pairs it is
  * ACCURATE_ERROR. */
 static Wide normal_dot(const PlaneRow *plane, WideVec x) { return plane->x * x.x + plane->y * x.y + plane->z * x.z; }
 
-#define PLAIN_ERROR(plane) ((plane).error + 8 * WIDE_ROUNDING)
+#define ROUNDED_ERROR(plane) ((plane).error + 8 * WIDE_ROUNDING)
 #define ACCURATE_ERROR(plane) ((plane).error + 64 * WIDE_ROUNDING * WIDE_ROUNDING)
 
 /* The exact values are high + low. */
@@ -134,7 +134,7 @@ static Wide plane_distance(const World *world, int face, const PlaneRow *plane, 
     global const real *row = face_row(world, face);
     WideVec x = from_vertex(row, point);
     Wide value = normal_dot(plane, x);
-    WideMask uncertain = active & IS(fabs(value) <= PLAIN_ERROR(*plane) * wide_magnitudes(x));
+    WideMask uncertain = active & IS(fabs(value) <= ROUNDED_ERROR(*plane) * wide_magnitudes(x));
     if (!ANY(TO_MASK(uncertain)))
         return value;
     WidePairs exactly = from_vertex_exactly(row, point);
@@ -189,13 +189,13 @@ static PlaneHit plane_hit(const World *world, int face, const WideVec *origin, c
     PlaneRow plane = plane_row(world, face);
     PlaneHit hit;
     WideMask uncertain = active;
-    if (!PLAIN_IS_POOR) {
+    if (!ROUNDED_IS_POOR) {
         WideVec x = from_vertex(face_row(world, face), *origin);
         Wide approach = normal_dot(&plane, *direction);
         hit.distance = normal_dot(&plane, x);
         hit.t = -hit.distance / approach;
-        uncertain &= IS(fabs(hit.distance) <= PLAIN_LIMIT * wide_magnitudes(x)) |
-                     IS(fabs(approach) <= PLAIN_LIMIT * wide_magnitudes(*direction));
+        uncertain &= IS(fabs(hit.distance) <= ROUNDED_LIMIT * wide_magnitudes(x)) |
+                     IS(fabs(approach) <= ROUNDED_LIMIT * wide_magnitudes(*direction));
     }
     if (ANY(TO_MASK(uncertain)))
         plane_hit_accurate(&hit, &plane, face_row(world, face), origin, direction, active);
@@ -206,15 +206,15 @@ static PlaneHit plane_hit(const World *world, int face, const WideVec *origin, c
 static PlaneHit plane_hit_from_point(const World *world, int face, const WideVec *origin, const WideVec *direction,
                                      WideMask active)
 {
-    if (PLAIN_IS_POOR)
+    if (ROUNDED_IS_POOR)
         return plane_hit(world, face, origin, direction, active);
     PlaneRow plane = plane_row(world, face);
     global const real *row = face_row(world, face);
     wide x = first_wide(origin->x) - row[0], y = first_wide(origin->y) - row[4], z = first_wide(origin->z) - row[8];
     wide distance = plane.x * x + plane.y * y + plane.z * z;
     Wide approach = normal_dot(&plane, *direction);
-    if (fabs(distance) <= PLAIN_LIMIT * (fabs(x) + fabs(y) + fabs(z)) ||
-        ANY(TO_MASK(active & IS(fabs(approach) <= PLAIN_LIMIT * wide_magnitudes(*direction)))))
+    if (fabs(distance) <= ROUNDED_LIMIT * (fabs(x) + fabs(y) + fabs(z)) ||
+        ANY(TO_MASK(active & IS(fabs(approach) <= ROUNDED_LIMIT * wide_magnitudes(*direction)))))
         return plane_hit(world, face, origin, direction, active);
     PlaneHit hit = {(Wide)distance, -distance / approach};
     return hit;

@@ -20,14 +20,14 @@ static WideVec point_shifted(const World *world, int face, const PlaneRow *plane
 {
     global const real *row = face_row(world, face);
     Wide height, slack;
-    if (PLAIN_IS_POOR) {
+    if (ROUNDED_IS_POOR) {
         WidePairs x = from_vertex_exactly(row, point);
         height = normal_dot_accurate(plane, row, &x, (WideMask)-1).high;
         slack = ACCURATE_ERROR(*plane) * wide_magnitudes(x.high);
     } else {
         WideVec x = from_vertex(row, point);
         height = normal_dot(plane, x);
-        slack = PLAIN_ERROR(*plane) * wide_magnitudes(x);
+        slack = ROUNDED_ERROR(*plane) * wide_magnitudes(x);
     }
     height = from_behind ? -height : height;
     Wide margin = 2 * WIDE_ROUNDING * wide_magnitudes(point) + 12 * WIDE_ROUNDING * fabs(height) + slack;
@@ -122,7 +122,7 @@ static WideVec wide_normal(const World *world, const Nearest *nearest, Mask acti
 INLINE void reflect(LazyPoints *points, int p, Mask active, Ray *ray, WideVec *apex)
 {
     need_points(points, p, active);
-    WideVec r = PLAIN_IS_POOR ? wide_unit(ray->direction) : ray->direction;
+    WideVec r = ROUNDED_IS_POOR ? wide_unit(ray->direction) : ray->direction;
     WideVec n = wide_normal(points->world, points->nearest + p, active);
     ray->direction = wide_sub(r, wide_scale(2 * wide_dot(r, n), n));
     ray->origin = points->shifted[p];

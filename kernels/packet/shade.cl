@@ -194,10 +194,10 @@ INLINE Vec illuminate(const World *world, const Surface *surface, global const r
     return colour;
 }
 
-/* The illumination of the active lanes of `points` by all lights. apex: as find_surface. uncertain: the lanes whose
+/* The illumination of the active lanes of `points` by all lights. apex: as find_surface. near_ties: the lanes whose
  * points rounding may have put into a closed box. */
 INLINE void shade(const World *world, const Surface *surfaces, const wide *apex, const Path *paths, LazyPoints *points,
-                  const Mask *uncertain, Illumination *sums)
+                  const Mask *near_ties, Illumination *sums)
 {
     const Mask *active = points->active;
     EACH_PACKET(p) {
@@ -223,7 +223,7 @@ INLINE void shade(const World *world, const Surface *surfaces, const wide *apex,
             aim_shadow_rays(packets + p, position, &surfaces[p].approx, from_apex, points, p);
         }
         ShadowGroup group = {position, packets, points, blocked};
-        find_blocked(world, &group, wanted, uncertain, 0);
+        find_blocked(world, &group, wanted, near_ties, 0);
         EACH_PACKET(p) {
             Mask reaches = facing[p] & ~blocked[p];
             sums[p].lit |= reaches;

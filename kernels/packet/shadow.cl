@@ -118,9 +118,9 @@ INLINE bool traverse_segments(const World *world, const Apex *a, const ShadowGro
 }
 
 /* Finds which of the `wanted` lanes are blocked. Half of the faces of closed boxes are culled. The lanes that are
- * `uncertain` come last, and for them all faces are tested. stack: leads to all faces that may block some lane; NULL:
+ * `near_ties` come last, and for them all faces are tested. stack: leads to all faces that may block some lane; NULL:
  * the root does. */
-NOINLINE void find_blocked(const World *world, const ShadowGroup *g, const Mask *wanted, const Mask *uncertain,
+NOINLINE void find_blocked(const World *world, const ShadowGroup *g, const Mask *wanted, const Mask *near_ties,
                            const Stack *stack)
 {
     Apex a = apex_at(g->light, 0, 1 + 4 * REAL_ROUNDING);
@@ -130,7 +130,7 @@ NOINLINE void find_blocked(const World *world, const ShadowGroup *g, const Mask 
     bool cull_boxes = true;
     EACH_PACKET(p) {
         g->blocked[p] = (Mask)0;
-        rest[0][p] = wanted[p] & ~uncertain[p];
+        rest[0][p] = wanted[p] & ~near_ties[p];
     }
     for (int level = 0;;) {
         if (!any_packet(rest[level])) {
@@ -143,7 +143,7 @@ NOINLINE void find_blocked(const World *world, const ShadowGroup *g, const Mask 
                 return;
             cull_boxes = false;
             EACH_PACKET(p)
-                rest[0][p] = wanted[p] & uncertain[p];
+                rest[0][p] = wanted[p] & near_ties[p];
             continue;
         }
         Mask group[PACKETS];

@@ -53,7 +53,7 @@ INLINE Mask lanes_of_image(const Path *path, const Ray *ray, WideVec image)
 INLINE Lanes begin_after_mirror(const Ray *ray, WideVec image, Nearest *nearest)
 {
     WideVec from = wide_sub(ray->origin, image), d = ray->direction;
-    Wide begin = wide_dot(from, d) / (PLAIN_IS_POOR ? (Wide)1 : wide_dot(d, d)); /* in double d is a unit vector */
+    Wide begin = wide_dot(from, d) / (ROUNDED_IS_POOR ? (Wide)1 : wide_dot(d, d)); /* in double d is a unit vector */
     nearest->begin = TO_REAL(begin);
     nearest->limit = 1 / nearest->begin;
     WideVec off = wide_sub(from, wide_scale(begin, d));
@@ -88,7 +88,7 @@ INLINE void find_reflected(const World *world, const Path *paths, real length, c
         find_nearest_from(world, &a, g, &bounds, resume, false);
     }
     EACH_PACKET(p)
-        g->uncertain[p] = (Mask)-1; /* culling closed boxes is proved for rays from the eye only */
+        g->near_ties[p] = (Mask)-1; /* culling closed boxes is proved for rays from the eye only */
 }
 
 /* Finds the nearest faces of all paths. from_eye: the rays come from the eye itself, not from its images. resume: as
@@ -108,7 +108,7 @@ INLINE void find_nearest(const World *world, const Eye *eye, bool from_eye, cons
     if (from_eye) {
         find_nearest_from(world, eye->apex, g, eye->bounds, resume, true);
     } else {
-        real length = (PLAIN_IS_POOR ? 1 : eye->apex->length) * (1 + 4 * REAL_ROUNDING);
+        real length = (ROUNDED_IS_POOR ? 1 : eye->apex->length) * (1 + 4 * REAL_ROUNDING);
         find_reflected(world, paths, length, resume, g);
     }
 }
@@ -124,8 +124,8 @@ static void trace_paths(const World *world, const Eye *eye, int bounces, Path *p
     for (;; bounces++, resume = 0) {
         OriginPacket packets[PACKETS];
         Nearest nearest[PACKETS];
-        Mask uncertain[PACKETS];
-        Group group = {PACKETS, packets, rays, nearest, uncertain};
+        Mask near_ties[PACKETS];
+        Group group = {PACKETS, packets, rays, nearest, near_ties};
         find_nearest(world, eye, bounces == 0, paths, resume, &group);
 
         Surface surfaces[PACKETS];
@@ -151,7 +151,7 @@ static void trace_paths(const World *world, const Eye *eye, int bounces, Path *p
         if (!any_packet(active))
             return;
         Illumination sums[PACKETS];
-        shade(world, surfaces, apex, paths, &points, uncertain, sums);
+        shade(world, surfaces, apex, paths, &points, near_ties, sums);
 
         EACH_PACKET(p) {
             Path *path = paths + p;

@@ -31,7 +31,7 @@ NOINLINE bool find_part_shadow(const World *world, const MirrorChain *chain, con
     Path paths[PACKETS];
     Ray rays[PACKETS];
     Nearest nearest[PACKETS];
-    Mask all[PACKETS], uncertain[PACKETS], wanted[PACKETS];
+    Mask all[PACKETS], near_ties[PACKETS], wanted[PACKETS];
     OriginPacket packets[PACKETS];
     Vec light = from_apexes(position, f->camera.eye, 0);
     EACH_PACKET(p) {
@@ -46,7 +46,7 @@ NOINLINE bool find_part_shadow(const World *world, const MirrorChain *chain, con
         packets[p].active = (Mask)0;
         packets[p].from = (Mask)f->face;
         all[p] = (Mask)-1;
-        uncertain[p] = (Mask)(bounces > 0 ? -1 : 0);
+        near_ties[p] = (Mask)(bounces > 0 ? -1 : 0);
         nearest[p].face = (Mask)f->face;
         nearest[p].from_behind = (Mask)(f->sign < 0 ? -1 : 0);
     }
@@ -54,6 +54,6 @@ NOINLINE bool find_part_shadow(const World *world, const MirrorChain *chain, con
     LazyPoints points;
     begin_points(world, &points, rays, nearest, all, bounces == 0);
     ShadowGroup group = {position, packets, &points, blocked};
-    find_blocked(world, &group, wanted, uncertain, stack);
+    find_blocked(world, &group, wanted, near_ties, stack);
     return true;
 }

@@ -160,7 +160,7 @@ static bool print_name(const char *keyword, int index, const char *name, Error *
 
 static void print_face(const Face *face)
 {
-    printf("face %d %d %d %s %d", face->number, face->object, face->material, face->front_only ? "front" : "both",
+    printf("face %d %d %d %s %d", face->number, face->object, face->material, face->one_sided ? "front" : "both",
            face->vertex_count);
     for (int k = 0; k < face->vertex_count; k++)
         for (int i = 0; i < 3; i++)

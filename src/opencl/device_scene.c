@@ -73,9 +73,9 @@ static uint32_t face_bits(const Face *face, const Plane *plane, bool closed)
     }
     uint32_t even_warp = (bound_bits(warp) + 1) & ~FACE_BACK_INSIDE;
     return bound_bits(longest) << 16 | even_warp | (face->vertex_count == 3 ? FACE_TRIANGLE : 0) |
-           (face->front_only ? FACE_ONE_SIDED
-            : closed         ? FACE_BACK_INSIDE
-                             : 0);
+           (face->one_sided ? FACE_ONE_SIDED
+            : closed        ? FACE_BACK_INSIDE
+                            : 0);
 }
 
 static void put_face(DeviceReals *rows, size_t row, const Face *face, const Plane *plane, bool closed)

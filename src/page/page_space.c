@@ -44,7 +44,7 @@ void page_list_faces(Page *page)
         Vec3 colour = vec3_add(material->ambient, material->diffuse);
         page_add_number(numbers, face->vertex_count);
         page_add_number(numbers, face->object);
-        page_add_number(numbers, face->front_only);
+        page_add_number(numbers, face->one_sided);
         for (int k = 0; k < 4; k++)
             add_place(page, face_vertex(face, k));
         page_add_vector(numbers, vec3_scale(1 / fmax(vec3_largest(colour), 1), colour));

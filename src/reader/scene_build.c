@@ -114,7 +114,7 @@ static bool add_face(SceneBuild *build, const int *points, int count, int materi
         .number = build->next_number,
         .object = build->scene->object_count - 1,
         .material = material,
-        .front_only = build->object.front_only,
+        .one_sided = build->object.one_sided,
         .place = place,
     };
     for (int i = 0; i < count; i++)

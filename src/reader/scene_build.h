@@ -17,7 +17,7 @@
 typedef struct SceneBuildObject {
     Transform transform;
     int material; /* -1: none */
-    bool front_only, split;
+    bool one_sided, split;
     bool mirrored; /* set by scene_build_object: the transform turns a right hand into a left one */
     int first_point;
     int first_number; /* how the file counts its vertices: from 0, an OBJ from 1 */
@@ -26,7 +26,7 @@ typedef struct SceneBuildObject {
 /* A face before it is rounded: four numbers of points instead of four points. */
 typedef struct SceneBuildFace {
     int points[4];
-    int vertex_count, number, object, material, front_only;
+    int vertex_count, number, object, material, one_sided;
     int place; /* the reader's: an index in a list, or a line of a file */
 } SceneBuildFace;
 

@@ -39,7 +39,7 @@ static bool round_face(SceneBuild *build, const SceneBuildFace *from, Face *face
         .number = from->number,
         .object = from->object,
         .material = from->material,
-        .front_only = from->front_only,
+        .one_sided = from->one_sided,
     };
     Vec3 rounded[4];
     for (int k = 0; k < 4; k++) {

@@ -141,7 +141,7 @@ static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *
     if (keys[SIDED].item && !json_choice(json, keys[SIDED].item, sided, 2, &front))
         return false;
     object->split = split == 1;
-    object->front_only = front == 1;
+    object->one_sided = front == 1;
     return scene_transform_read(json, keys[TRANSFORM].item, &object->transform);
 }
 

@@ -245,7 +245,7 @@ FaceTest face_test(const Face *face, const Plane *plane, Ray ray, double limit, 
         test.t = accurate_t(face, plane, ray);
     if (!ahead)
         test.verdict = FACE_BEHIND;
-    else if (face->front_only && test.n_dot_r > 0)
+    else if (face->one_sided && test.n_dot_r > 0)
         test.verdict = FACE_BACK;
     else if (inside)
         test.verdict = hit_verdict(&test, interval_in_box(face_box(face, plane), ray.origin, ray.direction), limit);
@@ -269,7 +269,7 @@ FaceTest face_test_segment(const Face *face, const Plane *plane, Vec3 from, Vec3
     bool between = (start < 0 && end > 0) || (start > 0 && end < 0);
     test.t = between ? start / (start - end) : -start / test.n_dot_r;
     bool inside = (complete || between) && inside_edges(&test, face, from, r, complete);
-    if (between && face->front_only && start < 0)
+    if (between && face->one_sided && start < 0)
         test.verdict = FACE_BACK;
     else if (between && inside)
         test.verdict = hit_verdict(&test, interval_in_box(face_box(face, plane), from, r.high), 1);

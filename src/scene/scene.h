@@ -61,7 +61,7 @@ typedef struct Face {
     int number;           /* the face's number in the file, from 0; the triangles of a split face share it */
     int object;           /* index into Scene.objects */
     int material;         /* index into Scene.materials */
-    int front_only;       /* 1: rays that come from behind the normal pass through */
+    int one_sided;        /* 1: rays that come from behind the normal pass through */
 } Face;
 
 /* The plane A x + B y + C z + D = 0 of a face, with the unit normal N = (A, B, C); see face_plane. */

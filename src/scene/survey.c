@@ -33,7 +33,7 @@ static bool count_unseen(Survey *survey, const Scene *scene, int index)
     int *reason = NULL;
     if (side == 0)
         reason = &survey->edge_on;
-    else if (face->front_only && side < 0)
+    else if (face->one_sided && side < 0)
         reason = &survey->back_to_camera;
     else if (is_behind_camera(scene, face))
         reason = &survey->behind_camera;
@@ -49,7 +49,7 @@ static bool can_block(const Scene *scene, int index)
     const Face *face = &scene->faces[index];
     for (int i = 0; i < scene->light_count; i++) {
         int side = plane_side(face, &scene->planes[index], scene->lights[i].position);
-        if (side < 0 || (side > 0 && !face->front_only))
+        if (side < 0 || (side > 0 && !face->one_sided))
             return true;
     }
     return false;
@@ -76,7 +76,7 @@ static void count_faces(Survey *survey, const Scene *scene)
         survey->material_used[face->material] = true;
         survey->numbers += i == 0 || face->number != face[-1].number;
         survey->triangles += face->vertex_count == 3;
-        survey->one_sided += face->front_only;
+        survey->one_sided += face->one_sided;
         survey->mirrors += material->reflection > 0;
         survey->shiny += !colour_is_black(material->specular);
     }

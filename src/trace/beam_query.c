@@ -39,7 +39,7 @@ static bool query_face(BeamQuery *query, int i)
     query->face_tests++;
     BeamPlane seen = beam_plane(beam, face, &query->scene->planes[i]);
     int back = query->shadow ? 1 : -1; /* a shadow ray runs the other way, from the point to the light */
-    bool invisible = (seen.side == 0 && !beam->mirrored) || (seen.side == back && face->front_only);
+    bool invisible = (seen.side == 0 && !beam->mirrored) || (seen.side == back && face->one_sided);
     if (invisible || is_elsewhere(query, face, &seen))
         return true;
 

@@ -56,7 +56,7 @@ static Extent extent_of(const Face *faces)
 static int side_of(const Extent *e, const Face *face, const Plane *plane)
 {
     unsigned corners = 0;
-    if (face->vertex_count != 4 || face->front_only)
+    if (face->vertex_count != 4 || face->one_sided)
         return -1;
     for (int k = 0; k < 4; k++) {
         unsigned corner = 0;

@@ -105,7 +105,7 @@ static bool hits(const Scene *scene, int index, RealRay ray, Hit *hit)
     Real t = t_in_plane(face, n, ray);
     if (!(t > 0))
         return false; /* behind the origin */
-    if (face->front_only && n_dot_r > 0)
+    if (face->one_sided && n_dot_r > 0)
         return false; /* a one-sided face, from behind */
     Real3 p = add(ray.o, scale(t, ray.r));
     for (int k = 0; k < face->vertex_count; k++)

@@ -59,7 +59,7 @@ static void check_face(const Scene *scene, int i)
     REQUIRE(face->vertex_count == 3 || face->vertex_count == 4);
     REQUIRE(face->object >= 0 && face->object < scene->object_count);
     REQUIRE(face->material >= 0 && face->material < scene->material_count);
-    REQUIRE(face->front_only == 0 || face->front_only == 1);
+    REQUIRE(face->one_sided == 0 || face->one_sided == 1);
     REQUIRE(i == 0 || face->number == scene->faces[i - 1].number || face->number == scene->faces[i - 1].number + 1);
     REQUIRE(i == 0 || face->object >= scene->faces[i - 1].object);
     for (int k = 0; k < 4; k++)

@@ -28,12 +28,12 @@ static bool count_bytes(void *user, ssize_t bytes, bool post)
 
 /* --- Geometry --- */
 
-static void fill_quads(const Scene *scene, int front_only, float *vertices, unsigned *quads, int *material_of)
+static void fill_quads(const Scene *scene, int one_sided, float *vertices, unsigned *quads, int *material_of)
 {
     unsigned vertex = 0;
     for (int i = 0; i < scene->face_count; i++) {
         const Face *face = &scene->faces[i];
-        if (face->front_only != front_only)
+        if (face->one_sided != one_sided)
             continue;
         memcpy(vertices + (size_t)vertex * 3, face->vertices, sizeof face->vertices);
         for (unsigned k = 0; k < 4; k++)
@@ -43,7 +43,7 @@ static void fill_quads(const Scene *scene, int front_only, float *vertices, unsi
     }
 }
 
-static bool attach_faces(PeerScene *peer, unsigned count, int front_only, Error *error)
+static bool attach_faces(PeerScene *peer, unsigned count, int one_sided, Error *error)
 {
     RTCGeometry geometry = rtcNewGeometry(peer->device, RTC_GEOMETRY_TYPE_QUAD);
     rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
@@ -53,13 +53,13 @@ static bool attach_faces(PeerScene *peer, unsigned count, int front_only, Error 
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof *quads, count);
     bool ok = count == 0 || (vertices && quads);
     if (ok)
-        fill_quads(peer->scene, front_only, vertices, quads, peer->material_of + (front_only ? peer->both_sided : 0));
-    if (front_only) {
+        fill_quads(peer->scene, one_sided, vertices, quads, peer->material_of + (one_sided ? peer->both_sided : 0));
+    if (one_sided) {
         rtcSetGeometryIntersectFilterFunction(geometry, let_pass_from_behind);
         rtcSetGeometryOccludedFilterFunction(geometry, let_pass_from_behind);
     }
     rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(peer->rtc, geometry, (unsigned)front_only);
+    rtcAttachGeometryByID(peer->rtc, geometry, (unsigned)one_sided);
     rtcReleaseGeometry(geometry);
     return ok || error_memory(error, "Embree's quads");
 }
@@ -137,7 +137,7 @@ bool peer_scene_build(PeerScene *peer, const Scene *scene, Error *error)
         return error_set(error, ERROR_SYSTEM, "Embree does not start: error %d", (int)rtcGetDeviceError(NULL));
     rtcSetDeviceMemoryMonitorFunction(peer->device, count_bytes, &peer->bytes);
     for (int i = 0; i < scene->face_count; i++)
-        peer->both_sided += !scene->faces[i].front_only;
+        peer->both_sided += !scene->faces[i].one_sided;
     peer->material_of = malloc(((size_t)scene->face_count + 1) * sizeof *peer->material_of);
     if (!peer->material_of)
         return error_memory(error, "materials of faces");

@@ -70,11 +70,11 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
         packets[p].from = (Mask)left[i];
         aim_from_light(packets + p, target, points.shifted[p]);
     }
-    Mask uncertain[PACKETS]; /* nothing is left out */
+    Mask near_ties[PACKETS]; /* nothing is left out */
     EACH_PACKET(p)
-        uncertain[p] = (Mask)-1;
+        near_ties[p] = (Mask)-1;
     ShadowGroup group = {target, packets, &points, found};
-    find_blocked(&world, &group, asking, uncertain, 0);
+    find_blocked(&world, &group, asking, near_ties, 0);
     blocked[i] = ANY(found[0]);
 }
 

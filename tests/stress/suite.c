@@ -165,7 +165,7 @@ void suite_cast(Suite *suite, const Cast *cast)
 
 static bool counts_for(const Face *face, const double ray[6])
 {
-    return !face->front_only || oracle_heading((const float(*)[3])face->vertices, ray) < 0;
+    return !face->one_sided || oracle_heading((const float(*)[3])face->vertices, ray) < 0;
 }
 
 int true_nearest(const Scene *scene, const double ray[6])

@@ -158,7 +158,7 @@ static void shape_init(Shape *shape, const Face *face, const PixelRays *rays)
         exact_sub(&v[k], &v[k], &rays->eye);
     exact_dot(height, &m, &v[0]);
     int side = mpq_sgn(height); /* < 0: the eye is where N points */
-    shape->visible = side < 0 || (side > 0 && !face->front_only);
+    shape->visible = side < 0 || (side > 0 && !face->one_sided);
     shape->edges = face->vertex_count;
     if (shape->visible) {
         mpq_inv(height, height);
