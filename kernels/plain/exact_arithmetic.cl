@@ -78,7 +78,7 @@ static wide accurate_t(const Scene *scene, int face, Ray ray)
 /* Steps 3 and 4: does the ray hit the face? */
 static bool face_test(Scene *scene, int face, Ray ray, Hit *hit)
 {
-    if (face == ray.left)
+    if (face == ray.from)
         return false;
     scene->counts[COUNT_FACE_TESTS]++;
     int towards = normal_sign(scene, face, ray.direction, (wide3)0), start = plane_side(scene, face, ray.origin);
@@ -98,7 +98,7 @@ static bool face_test(Scene *scene, int face, Ray ray, Hit *hit)
 /* Step 6: is the face strictly between the ray's origin and `end`, where t = 1? Then its plane parts them. */
 static bool face_blocks(Scene *scene, int face, Ray ray, wide3 end)
 {
-    if (face == ray.left)
+    if (face == ray.from)
         return false;
     scene->counts[COUNT_FACE_TESTS]++;
     int start = plane_side(scene, face, ray.origin);

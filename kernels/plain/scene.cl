@@ -5,7 +5,7 @@
 /* P(t) = origin + t direction. */
 typedef struct Ray {
     wide3 origin, direction;
-    int left; /* the face that it leaves, -1: none */
+    int from; /* the face that it leaves, -1: none */
 } Ray;
 
 typedef struct Hit {

@@ -18,7 +18,7 @@ typedef struct Search {
     const Tracer *tracer;
     Ray ray;
     Vec3 to;     /* where a shadow ray ends */
-    int skip;    /* the face that it leaves, -1 for none */
+    int from;    /* the face that it leaves, -1 for none */
     Hit *hit;    /* the nearest so far */
     int blocker; /* the face in a shadow ray's way, -1 for none */
 } Search;
@@ -74,7 +74,7 @@ static bool visit_for_nearest(Traversal *traversal, int face)
     const Tracer *tracer = search->tracer;
     Hit *nearest = search->hit;
     FaceTest test = {.verdict = FACE_LEFT, .outside_edge = -1};
-    if (face != search->skip) {
+    if (face != search->from) {
         test = face_test(&tracer->scene->faces[face], &tracer->scene->planes[face], search->ray, traversal->limit,
                          tracer->recorder != NULL);
         tracer->report->face_tests++;
@@ -90,10 +90,10 @@ static bool visit_for_nearest(Traversal *traversal, int face)
 }
 
 /* Steps 3 to 5: the face with the smallest t > 0; of equal ones, the first in the file. */
-static Hit nearest_hit(const Tracer *tracer, Ray ray, int skip)
+static Hit nearest_hit(const Tracer *tracer, Ray ray, int from)
 {
     Hit nearest = {.face = -1, .test = {.t = HUGE_VAL}};
-    Search search = {.tracer = tracer, .ray = ray, .skip = skip, .hit = &nearest};
+    Search search = {.tracer = tracer, .ray = ray, .from = from, .hit = &nearest};
     search_faces(&search, ray, HUGE_VAL, visit_for_nearest);
     return nearest;
 }
@@ -112,7 +112,7 @@ static bool visit_for_blocker(Traversal *traversal, int face)
 {
     Search *search = traversal->user;
     const Tracer *tracer = search->tracer;
-    if (face == search->skip)
+    if (face == search->from)
         return true;
     FaceTest test = face_test_segment(&tracer->scene->faces[face], &tracer->scene->planes[face], traversal->origin,
                                       search->to, tracer->recorder != NULL);
@@ -126,7 +126,7 @@ static bool visit_for_blocker(Traversal *traversal, int face)
 /* Step 6: the first face met between the shifted point and the light (the first in the file, without a tree), or -1. */
 static int find_blocker(const Tracer *tracer, const Hit *hit, const Light *light)
 {
-    Search search = {.tracer = tracer, .to = light->position, .skip = hit->face, .blocker = -1};
+    Search search = {.tracer = tracer, .to = light->position, .from = hit->face, .blocker = -1};
     tracer->report->rays.shadow++;
     search_faces(&search, (Ray){hit->shifted, vec3_sub(light->position, hit->shifted)}, 1, visit_for_blocker);
     return search.blocker;
@@ -344,8 +344,8 @@ Vec3 reference_pixel(const Tracer *tracer, int column, int row)
                                               : trace_grid(tracer, scene->grid, column, row);
 }
 
-CastHit reference_nearest(const Tracer *tracer, Ray ray, int skip)
+CastHit reference_nearest(const Tracer *tracer, Ray ray, int from)
 {
-    Hit hit = nearest_hit(tracer, ray, skip);
+    Hit hit = nearest_hit(tracer, ray, from);
     return (CastHit){hit.face, hit.face < 0 ? 0 : hit.test.t};
 }

@@ -26,7 +26,7 @@ Vec3 reference_pixel(const Tracer *tracer, int column, int row);
 /* The colour of one sample of a pixel: sub-column i and sub-row j of the grid, both in [0, grid). */
 Vec3 reference_sample(const Tracer *tracer, int column, int row, int i, int j);
 
-/* The nearest face hit by a ray in scene coordinates, leaving out the face `skip` (-1: none). */
-CastHit reference_nearest(const Tracer *tracer, Ray ray, int skip);
+/* The nearest face hit by a ray in scene coordinates, leaving out the face `from`, which it leaves (-1: none). */
+CastHit reference_nearest(const Tracer *tracer, Ray ray, int from);
 
 #endif
