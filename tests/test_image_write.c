@@ -162,6 +162,31 @@ static void file_should_not_depend_on_how_rows_come(void)
     free(bytes);
 }
 
+/* A flat picture of 5x4 pixels is compressed at 512 addresses, 64 KiB apart: all values of an address's third byte. */
+static void file_should_not_depend_on_where_memory_lies(void)
+{
+    enum { TIMES = 512, APART = 64 * 1024 };
+    static void *held[TIMES];
+    long length, other;
+    make_picture(5, 4);
+    memset(image.rgb, 128, 5 * 4 * 3);
+    memset(image.rgb + 18, 0, 6);
+    write_picture(4);
+    unsigned char *bytes = file_bytes(&length);
+    int differ = 0;
+    for (int i = 0; i < TIMES; i++) {
+        held[i] = malloc(APART);
+        write_picture(4);
+        unsigned char *again = file_bytes(&other);
+        differ += other != length || memcmp(bytes, again, (size_t)length) != 0;
+        free(again);
+    }
+    for (int i = 0; i < TIMES; i++)
+        free(held[i]);
+    free(bytes);
+    TEST_ASSERT_EQUAL_INT(0, differ);
+}
+
 static void writer_should_be_left_halfway(void)
 {
     make_picture(1365, 1000);
@@ -182,6 +207,7 @@ int main(void)
     RUN_TEST(picture_should_be_read_again_where_rows_are_compressed);
     RUN_TEST(picture_of_the_widest_rows_should_be_read_again);
     RUN_TEST(file_should_not_depend_on_how_rows_come);
+    RUN_TEST(file_should_not_depend_on_where_memory_lies);
     RUN_TEST(writer_should_be_left_halfway);
     return UNITY_END();
 }
