@@ -1,9 +1,10 @@
 /* Files of text, opened with care: whole or line by line. */
 #include "base/text.h"
 
+#include "base/number.h"
+
 #include <errno.h>
 #include <fcntl.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -213,9 +214,6 @@ void text_make_utf8(char *text)
 
 bool text_number(const char *word, double *value)
 {
-    if (!*word || word[strspn(word, "+-.0123456789eE")]) /* keeps out what else strtod takes */
-        return false;
-    char *end;
-    *value = strtod(word, &end);
-    return *end == '\0' && isfinite(*value);
+    const char *end = number_read(word, NUMBER_C, value);
+    return end && *end == '\0';
 }
