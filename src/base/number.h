@@ -24,7 +24,7 @@ typedef struct Decimal {
     bool negative;
 } Decimal;
 
-/* Makes the table of powers that number_convert needs to be fast: some 20 microseconds, once. It must not run on two
+/* Makes the table of powers that number_convert needs to be fast: some 200 microseconds, once. It must not run on two
  * threads at once. Without it every value is the same, since strtod then decides. */
 void number_prepare(void);
 
