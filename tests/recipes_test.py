@@ -148,6 +148,25 @@ class Option(Recipe):
         self.assertEqual(missing, [], "no suite gives these options")
 
 
+class KindOfNote(Recipe):
+    def setUp(self):
+        self.kinds = dict(re.findall(r'\[(NOTE_\w+)\] = \{"([\w-]+)"', read("src/reader/note_kinds.c")))
+
+    def test_each_has_its_words(self):
+        names = set(re.findall(r"(?m)^    (NOTE_\w+),", read("src/reader/note_kinds.h"))) - {"NOTE_NAMES"}
+        self.assertEqual(names, set(self.kinds))
+
+    def test_each_is_given_somewhere(self):
+        code = re.sub(r"(?s)/\*.*?\*/", "", "".join(
+            path.read_text(encoding="utf-8") for path in sorted((ROOT / "src").rglob("*.c"))
+            if path.name != "note_kinds.c"))
+        self.assertEqual([name for name in self.kinds if not re.search(rf"\b{name}\b", code)], [])
+
+    def test_the_page_tells_of_each(self):
+        rows = re.findall(r"(?m)^\| `([\w-]+)` \|", read("docs/scene-format.md").split("## Notes")[1])
+        self.assertEqual(sorted(set(self.kinds.values()) - set(rows)), [])
+
+
 class Command(Recipe):
     """That the page and the help name the same commands: tests/commands_test.py."""
 

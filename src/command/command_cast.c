@@ -3,9 +3,9 @@
 #include "base/clock.h"
 #include "base/words.h"
 #include "command/command.h"
+#include "command/scene_open.h"
 #include "command/stats.h"
 #include "opencl/backend.h"
-#include "reader/scene_json.h"
 #include "scene/geometry.h"
 
 #include <errno.h>
@@ -215,7 +215,7 @@ bool command_cast(const Options *options, Error *error)
 {
     double start = clock_ms();
     Scene scene;
-    if (!scene_load(&scene, options->operands[0], error))
+    if (!scene_open(&scene, options, error))
         return false;
     options_note_unused(options);
     Cast cast = {.options = options, .scene = &scene};

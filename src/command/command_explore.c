@@ -2,9 +2,9 @@
 #include "base/output.h"
 #include "base/process.h"
 #include "command/command.h"
+#include "command/scene_open.h"
 #include "command/scene_override.h"
 #include "page/explore.h"
-#include "reader/scene_json.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static bool check_pixel(const Options *options, const Scene *scene, Error *error
 static bool check_scene(const Options *options, ExploreWishes *wishes, Error *error)
 {
     Scene scene;
-    if (!scene_load(&scene, options->operands[0], error))
+    if (!scene_open(&scene, options, error))
         return false;
     scene_override(&scene, options);
     *wishes = (ExploreWishes){.columns = options->columns,

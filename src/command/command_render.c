@@ -5,13 +5,13 @@
 #include "base/text.h"
 #include "command/command.h"
 #include "command/progress.h"
+#include "command/scene_open.h"
 #include "command/scene_override.h"
 #include "command/stats.h"
 #include "opencl/backend.h"
 #include "picture/image.h"
 #include "picture/map.h"
 #include "picture/mark.h"
-#include "reader/scene_json.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -228,7 +228,7 @@ bool command_render(const Options *options, Error *error)
     Scene scene;
     if (!options_agree(options, error))
         return false;
-    if (!scene_load(&scene, options->operands[0], error))
+    if (!scene_open(&scene, options, error))
         return false;
     Stats stats = stats_begin(&scene, options->backend, options->settings.precision);
     stats.kernel = options->backend == BACKEND_OPENCL ? options->settings.kernel : KERNEL_PACKET;

@@ -2,8 +2,8 @@
 #include "base/output.h"
 #include "command/command.h"
 #include "command/pager.h"
+#include "command/scene_open.h"
 #include "command/scene_override.h"
-#include "reader/scene_json.h"
 #include "trace/accel.h"
 #include "trace/adaptive.h"
 #include "walkthrough/ink.h"
@@ -230,7 +230,7 @@ static bool trace(const Options *options, const Scene *scene, Error *error)
 bool command_trace(const Options *options, Error *error)
 {
     Scene scene;
-    if (!scene_load(&scene, options->operands[0], error))
+    if (!scene_open(&scene, options, error))
         return false;
     scene_override(&scene, options);
     Options chosen = *options; /* with the pixel that a search has found */

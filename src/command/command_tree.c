@@ -3,8 +3,8 @@
 #include "base/clock.h"
 #include "base/output.h"
 #include "command/command.h"
+#include "command/scene_open.h"
 #include "command/tree_steps.h"
-#include "reader/scene_json.h"
 #include "trace/tree_survey.h"
 #include "walkthrough/tree_drawing.h"
 
@@ -181,7 +181,7 @@ bool command_tree(const Options *options, Error *error)
     if (options->settings.accel == ACCEL_NONE)
         return error_set(error, ERROR_USAGE, "--accel 'none': expected kdtree or bvh");
     Scene scene;
-    if (!scene_load(&scene, options->operands[0], error))
+    if (!scene_open(&scene, options, error))
         return false;
     bool one = options->settings.accel != ACCEL_AUTO || options->steps > 0 || options->output;
     bool done = scene.face_count > 0 ||

@@ -57,8 +57,8 @@ typedef struct Options {
     StatsFormat stats;
     ProgressMode progress;
     bool precision_given, pixel_given, shift_given;
-    bool quiet, geometry, verbose, with_scene, summary, diff, darkest, no_pager, ladder, json, check, open, help,
-        version;
+    bool quiet, geometry, verbose, with_scene, summary, diff, darkest, no_pager, ladder, json, check, open, strict,
+        help, version;
 } Options;
 
 /* How an option's value is read. */

@@ -59,17 +59,25 @@ static Message excerpt_of(const Json *json, const char *start_of_line, const cha
     return message;
 }
 
-static bool fail_at(const Json *json, const char *place, const char *path, const char *reason)
+/* The line and column of a place. Returns where its line begins. */
+static const char *count_lines(const Json *json, const char *place, long *line, long *column)
 {
-    long line = 1, column = 1;
     const char *start_of_line = json->text;
+    *line = *column = 1;
     for (const char *c = json->text; c < place; c++)
         if (*c == '\n') {
-            line++;
+            ++*line;
             start_of_line = c + 1;
         }
     for (const char *c = start_of_line; c < place; c++)
-        column += !is_continuation(c);
+        *column += !is_continuation(c);
+    return start_of_line;
+}
+
+static bool fail_at(const Json *json, const char *place, const char *path, const char *reason)
+{
+    long line, column;
+    const char *start_of_line = count_lines(json, place, &line, &column);
     return error_set(json->error, ERROR_INPUT, "%s:%ld:%ld: %s%s%s\n%s", json->name, line, column, path,
                      *path ? ": " : "", reason, excerpt_of(json, start_of_line, place).text);
 }
@@ -129,6 +137,16 @@ static bool fail_item(const Json *json, const cJSON *item, bool at_key, const ch
     Message reason = {.length = 0};
     vsnprintf(reason.text, sizeof reason.text, format, arguments);
     return fail_at(json, at_key && token.key ? token.key : token.value, path_of(&found).text, reason.text);
+}
+
+JsonPlace json_place(const Json *json, const cJSON *item)
+{
+    JsonPlace place;
+    Search found = {.wanted = item};
+    search(&found, json->root);
+    count_lines(json, json_find_value(json->text, found.values_before).value, &place.line, &place.column);
+    snprintf(place.path, sizeof place.path, "%.250s", path_of(&found).text);
+    return place;
 }
 
 bool json_fail(const Json *json, const cJSON *item, const char *format, ...)

@@ -44,4 +44,12 @@ bool json_fail_key(const Json *json, const cJSON *item, const char *format, ...)
 #endif
     ;
 
+/* A value's place, for what is told about it without an error. Looks through the text up to there. */
+typedef struct JsonPlace {
+    long line, column;
+    char path[256]; /* objects[2].faces[0] */
+} JsonPlace;
+
+JsonPlace json_place(const Json *json, const cJSON *item);
+
 #endif

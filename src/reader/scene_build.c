@@ -171,6 +171,11 @@ bool scene_build_box(SceneBuild *build, Vec3 low, Vec3 high)
     return true;
 }
 
+bool scene_build_note(SceneBuild *build, NoteName name, const char *path, NotePlace place)
+{
+    return notes_add(&build->scene->notes, &note_kinds[name], path, place, build->error);
+}
+
 void scene_build_free(SceneBuild *build)
 {
     names_free(&build->materials);

@@ -6,6 +6,7 @@
 #define RECTRAY_SCENE_BUILD_H
 
 #include "base/names.h"
+#include "reader/note_kinds.h"
 #include "scene/scene.h"
 #include "scene/shape.h"
 #include "scene/transform.h"
@@ -66,6 +67,9 @@ bool scene_build_face(SceneBuild *build, const int *vertices, int count, int mat
 /* Adds the six faces of an axis-parallel box (before the transform) in the order -x, +x, -y, +y, -z, +z, wound outward,
  * also where the transform mirrors. low < high on every axis. */
 bool scene_build_box(SceneBuild *build, Vec3 low, Vec3 high);
+
+/* Adds a note on a file, at a place. */
+bool scene_build_note(SceneBuild *build, NoteName name, const char *path, NotePlace place);
 
 /* Moves faces, camera and lights to the scene's centre, rounds the faces and computes their planes. */
 bool scene_build_finish(SceneBuild *build);

@@ -158,6 +158,8 @@ static bool read_line(ObjReader *reader, char *line)
         return use_material(reader, word_rest(&rest));
     if (strcmp(key, "mtllib") == 0)
         return read_libraries(reader, rest);
+    if (strcmp(key, "l") == 0)
+        return scene_build_note(reader->build, NOTE_LINES, reader->lines.path, (NotePlace){.line = reader->lines.line});
     return true;
 }
 

@@ -17,6 +17,7 @@ void scene_free(Scene *scene)
     free(scene->objects);
     free(scene->faces);
     free(scene->planes);
+    notes_free(&scene->notes);
     *scene = (Scene){0};
 }
 

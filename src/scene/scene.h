@@ -5,6 +5,7 @@
 #define RECTRAY_SCENE_H
 
 #include "base/error.h"
+#include "base/notes.h"
 #include "base/vec3.h"
 
 #include <stdbool.h>
@@ -102,6 +103,7 @@ typedef struct Scene {
     Shading shading;
     int grid;      /* n x n rays per pixel, */
     bool adaptive; /* or, where one ray through its centre is enough for a pixel, that ray alone: adaptive.h */
+    Notes notes;   /* what its readers had to say */
 } Scene;
 
 /* Frees all that the scene owns and zeroes it; a zeroed scene may be freed again. */
