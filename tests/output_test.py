@@ -77,12 +77,31 @@ class Output(CommandTest):
         self.render("-o", "a.png", preexec_fn=close)
         self.assertEqual(self.bytes_of("a.png"), self.render("-o", "-")[0])
 
-    def test_a_reader_that_goes_away_is_3(self):
+    def test_a_reader_that_goes_away_ends_the_program_as_it_ends_cat(self):
         read, write = os.pipe()
         os.close(read)
-        self.assertIn("Broken pipe", self.render("-o", "-", status=3, stdout=write)[1])
-        self.assertIn("Broken pipe", self.run_program("check", "scene.json", status=3, stdout=write)[1])
+        for words in (["render", "scene.json", "-b", "reference", "-o", "-"], ["check", "scene.json"],
+                      ["trace", "scene.json", "--pixel", "1,1"], ["generate", "menger", "--size", "2"], ["--help"]):
+            _, err = self.run_program(*words, status=-signal.SIGPIPE, stdout=write)
+            self.assertEqual(err, "")
         os.close(write)
+        self.assertEqual(self.files(), [])
+
+    def test_a_caller_that_ignores_the_signal_is_told(self):
+        read, write = os.pipe()
+        os.close(read)
+        _, err = self.run_program("check", "scene.json", status=3, stdout=write, restore_signals=False)
+        self.assertIn("Broken pipe", err)
+        os.close(write)
+
+    def test_a_lost_reader_of_the_messages_keeps_the_picture(self):
+        read, write = os.pipe()
+        os.close(read)
+        process = self.start("render", "scene.json", "-b", "reference", "-o", "a.png", stderr=write)
+        process.communicate()
+        os.close(write)
+        self.assertEqual(process.returncode, 0)
+        self.assertEqual(self.files(), ["a.png"])
 
 
 class Interrupt(CommandTest):

@@ -1,11 +1,12 @@
 /* The handler itself removes the file and ends the program. A flag that the program would look at now and then
  * is not enough: a kernel on an OpenCL device may run for minutes, and nothing can break it off.
- * It uses only what POSIX allows in a handler: unlink, strlen, write, _exit. */
+ * It uses only what POSIX allows in a handler: poll, raise, signal, unlink, strlen, write, _exit. */
 #include "base/interrupt.h"
 
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -33,6 +34,22 @@ static void stop(int signal)
     _exit(128 + signal);
 }
 
+/* A pipe has lost its reader. Where it is standard output, nobody wants the rest: the program ends as cat does, killed by
+ * the signal, without a word. Another pipe's write fails with EPIPE. */
+static void lose_reader(int signal_number)
+{
+    int before = errno;
+    struct pollfd output = {.fd = STDOUT_FILENO, .events = POLLOUT};
+    if (poll(&output, 1, 0) == 1 && (output.revents & POLLERR)) {
+        const char *path = guarded;
+        if (path)
+            unlink(path);
+        signal(signal_number, SIG_DFL);
+        raise(signal_number);
+    }
+    errno = before;
+}
+
 static void set_handler(int signal, void (*handler)(int))
 {
     struct sigaction action;
@@ -45,14 +62,16 @@ static void set_handler(int signal, void (*handler)(int))
 
 void interrupt_install(void)
 {
-    struct sigaction hangup;
+    struct sigaction hangup, broken_pipe;
     on_terminal = isatty(STDERR_FILENO);
     set_handler(SIGINT, stop);
     set_handler(SIGTERM, stop);
     /* nohup starts us with SIGHUP ignored, and means it. */
     if (sigaction(SIGHUP, NULL, &hangup) == 0 && hangup.sa_handler != SIG_IGN)
         set_handler(SIGHUP, stop);
-    set_handler(SIGPIPE, SIG_IGN);
+    /* A caller that ignores SIGPIPE wants to be told. */
+    if (sigaction(SIGPIPE, NULL, &broken_pipe) == 0 && broken_pipe.sa_handler != SIG_IGN)
+        set_handler(SIGPIPE, lose_reader);
     set_handler(SIGXFSZ, SIG_IGN);
 }
 

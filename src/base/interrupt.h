@@ -4,8 +4,8 @@
 #define RECTRAY_INTERRUPT_H
 
 /* From now on SIGINT, SIGTERM and SIGHUP remove the guarded file, say so on stderr
- * and end the program with status 128 + signal; a write to a closed pipe, or
- * beyond the largest file allowed, fails with an errno instead of ending it. */
+ * and end the program with status 128 + signal. A standard output whose reader is gone ends it too, without a word, by
+ * SIGPIPE. A write to another closed pipe, or beyond the largest file allowed, fails with an errno instead. */
 void interrupt_install(void);
 
 /* Creates a new file (never opens one that exists) and guards it: no signal comes between the two. The path must live
