@@ -114,16 +114,29 @@ trace: ## tell step by step how PIXEL (default 320,240) of SCENE gets its colour
 	@$(MAKE) --no-print-directory --silent $(PROGRAM)
 	$(PROGRAM) trace $(SCENE) --pixel $(PIXEL)
 
+SHARE := $(DESTDIR)$(PREFIX)/share
+MAN1  := $(SHARE)/man/man1
+COMMANDS = $(shell $(PROGRAM) help | sed -n 's/^  \([a-z]*\) .*/\1/p')
+
 .PHONY: install
-install: $(PROGRAM) ## install the program, the scenes and the docs under PREFIX (default /usr/local), below DESTDIR
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/rectray $(DESTDIR)$(PREFIX)/share/doc/rectray
+install: $(PROGRAM) ## install program, manual, completion, scenes, kernels, docs under PREFIX (/usr/local)
+	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/rectray $(SHARE)/doc/rectray $(MAN1) $(SHARE)/man/man5 \
+	    $(SHARE)/bash-completion/completions $(SHARE)/zsh/site-functions $(SHARE)/fish/vendor_completions.d
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/rectray
-	cp -R scenes $(DESTDIR)$(PREFIX)/share/rectray/
-	cp -R README.md LICENSE docs/. $(wildcard $(PAGE)) $(DESTDIR)$(PREFIX)/share/doc/rectray/
+	cp -R scenes kernels $(SHARE)/rectray/
+	cp -R README.md LICENSE docs $(wildcard $(PAGE)) $(SHARE)/doc/rectray/
+	$(PROGRAM) help --as man >$(MAN1)/rectray.1
+	for name in $(COMMANDS); do $(PROGRAM) help $$name --as man >$(MAN1)/rectray-$$name.1 || exit 1; done
+	install -m 644 docs/rectray-scene.5 $(SHARE)/man/man5/
+	$(PROGRAM) help --as bash >$(SHARE)/bash-completion/completions/rectray
+	$(PROGRAM) help --as zsh >$(SHARE)/zsh/site-functions/_rectray
+	$(PROGRAM) help --as fish >$(SHARE)/fish/vendor_completions.d/rectray.fish
 
 .PHONY: uninstall
 uninstall: ## remove what install put there
-	rm -rf $(DESTDIR)$(PREFIX)/bin/rectray $(DESTDIR)$(PREFIX)/share/rectray $(DESTDIR)$(PREFIX)/share/doc/rectray
+	rm -rf $(DESTDIR)$(PREFIX)/bin/rectray $(SHARE)/rectray $(SHARE)/doc/rectray $(MAN1)/rectray.1 $(MAN1)/rectray-*.1 \
+	    $(SHARE)/man/man5/rectray-scene.5 $(SHARE)/bash-completion/completions/rectray \
+	    $(SHARE)/zsh/site-functions/_rectray $(SHARE)/fish/vendor_completions.d/rectray.fish
 
 # --- Trying and measuring it ----------------------------------------------------------------------------------
 

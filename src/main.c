@@ -1,30 +1,12 @@
 /* rectray: finds the command and lets it run. Only here an Error becomes a message and an exit status. */
 #include "base/interrupt.h"
-#include "command/command.h"
+#include "command/command_table.h"
 #include "command/usage.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
 #include <unistd.h>
-
-#define VERSION "0.1"
-
-/* To add a command, see command.h. The fields: name, operands, how few and how many of them, what it does. */
-static const Command commands[] = {
-    {"render", "SCENE", 1, 1, "Renders a scene to a PNG picture.", command_render},
-    {"trace", "SCENE", 1, 1, "Tells step by step how a pixel gets its colour.", command_trace},
-    {"explore", "SCENE", 1, 1, "Writes a page: click a pixel, read how it came about.", command_explore},
-    {"cast", "SCENE", 1, 1, "Intersects rays with a scene: lines `ox oy oz dx dy dz` in, CSV out.", command_cast},
-    {"check", "SCENE", 1, 1, "Validates a scene; tells what it holds, needs and can do without.", command_check},
-    {"compare", "A.png B.png", 2, 2, "Measures how far two pictures differ.", command_compare},
-    {"bench", "[HOW] SCENE...", 0, MAX_OPERANDS,
-     "Measures speed; `error`: time against error; `kernels`: kernel by kernel.", command_bench},
-    {"tree", "SCENE", 1, 1, "Shows the trees of a scene: their size, how they are built, their boxes.", command_tree},
-    {"generate", "KIND", 1, 1, "Writes a scene of a given size: menger, city or grid.", command_generate},
-    {"devices", "[N]", 0, 1, "Lists the OpenCL devices, or device N; --check: does it work?", command_devices},
-    {0},
-};
 
 /* A closed standard stream would give its number to the next file that is opened, and messages would go into the
  * picture. Its place is taken by an end of /dev/null that fails, so that nobody takes lost output for written. */
@@ -48,26 +30,26 @@ static bool flush_output(Error *error)
 static bool run(int argc, char **argv, Error *error)
 {
     if (argc < 2) {
-        usage_print_commands(stderr, commands);
+        usage_print_commands(stderr, command_table);
         return error_set(error, ERROR_USAGE, "a command is missing");
     }
     const char *name = argv[1];
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
-        usage_print_commands(stdout, commands);
+        usage_print_commands(stdout, command_table);
         return true;
     }
     if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
-        printf("rectray %s\n", VERSION);
+        usage_print_version(stdout);
         return true;
     }
     Options options;
-    const Command *command = options_find_command(commands, name, error);
+    const Command *command = options_find_command(command_table, name, error);
     if (!command || !options_parse(&options, command, argc - 1, argv + 1, error))
         return false;
     if (options.help)
         usage_print_command(stdout, command);
     else if (options.version)
-        printf("rectray %s\n", VERSION);
+        usage_print_version(stdout);
     else
         return command->run(&options, error);
     return true;

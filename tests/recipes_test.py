@@ -171,7 +171,7 @@ class Command(Recipe):
     """That the page and the help name the same commands: tests/commands_test.py."""
 
     def setUp(self):
-        self.commands = re.findall(r'(?m)^    \{"(\w+)", "', read("src/main.c"))
+        self.commands = re.findall(r'(?m)^    \{"(\w+)", "', read("src/command/command_table.c"))
         self.assertGreater(len(self.commands), 5)
 
     def test_each_has_its_file(self):

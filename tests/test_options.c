@@ -6,10 +6,10 @@
 #include <string.h>
 
 static const Command COMMANDS[] = {
-    {"render", "SCENE", 1, 1, "", NULL},
-    {"cast", "SCENE", 1, 1, "", NULL},
-    {"check", "SCENE", 1, 1, "", NULL},
-    {"compare", "A B", 2, 2, "", NULL},
+    {.name = "render", .operands = "SCENE", .operands_min = 1, .operands_max = 1},
+    {.name = "cast", .operands = "SCENE", .operands_min = 1, .operands_max = 1},
+    {.name = "check", .operands = "SCENE", .operands_min = 1, .operands_max = 1},
+    {.name = "compare", .operands = "A B", .operands_min = 2, .operands_max = 2},
     {0},
 };
 

@@ -34,8 +34,8 @@ static void stop(int signal)
     _exit(128 + signal);
 }
 
-/* A pipe has lost its reader. Where it is standard output, nobody wants the rest: the program ends as cat does, killed by
- * the signal, without a word. Another pipe's write fails with EPIPE. */
+/* A pipe has lost its reader. Where it is standard output, nobody wants the rest: the program ends as cat does, killed
+ * by the signal, without a word. Another pipe's write fails with EPIPE. */
 static void lose_reader(int signal_number)
 {
     int before = errno;

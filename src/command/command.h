@@ -1,6 +1,6 @@
 /* The program's commands, one file each. They take what the user asked for, write data to stdout and messages
  * to stderr, and return false with an Error; only main makes an exit status of it. To add one: its file, its line here,
- * its line in main.c's table, and its name in the options (option_table.c) that it takes. */
+ * its entry in command_table.c, and its name in the options (option_table.c) that it takes. */
 #ifndef RECTRAY_COMMAND_H
 #define RECTRAY_COMMAND_H
 
@@ -19,5 +19,6 @@ bool command_bench_error(const Options *options, Error *error); /* `bench error`
 bool command_bench_kernels(const Options *options, Error *error);
 bool command_tree(const Options *options, Error *error);
 bool command_generate(const Options *options, Error *error);
+bool command_help(const Options *options, Error *error);
 
 #endif

@@ -15,6 +15,9 @@ typedef enum SamplingChoice { SAMPLING_OF_SCENE, SAMPLING_UNIFORM, SAMPLING_ADAP
 /* Colours in text: on a terminal that wants them, or not asking. */
 typedef enum ColourChoice { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER } ColourChoice;
 
+/* What `help` prints: text for people, a manual page, or a script for a shell. */
+typedef enum HelpFormat { HELP_TEXT, HELP_MAN, HELP_BASH, HELP_ZSH, HELP_FISH } HelpFormat;
+
 enum { TRACE_PIXELS_MAX = 16 };
 
 typedef struct TracePixel {
@@ -56,6 +59,7 @@ typedef struct Options {
     int steps; /* of the building of a tree; 0: not given */
     StatsFormat stats;
     ProgressMode progress;
+    HelpFormat help_format;
     bool precision_given, pixel_given, shift_given;
     bool quiet, geometry, verbose, with_scene, summary, diff, darkest, no_pager, ladder, json, check, open, strict,
         help, version;

@@ -26,6 +26,9 @@ static const char *const map_kinds[] = {[MAP_RAYS] = "rays",
                                         [MAP_TESTS] = "tests",
                                         NULL};
 
+static const char *const help_formats[] = {
+    [HELP_TEXT] = "text", [HELP_MAN] = "man", [HELP_BASH] = "bash", [HELP_ZSH] = "zsh", [HELP_FISH] = "fish", NULL};
+
 static const char *const stats_formats[] = {"text", "json", NULL}; /* of STATS_TEXT and what comes after it */
 static const char *const lane_words[] = {"1", "4", "8", "16", NULL};
 
@@ -265,6 +268,8 @@ const Option option_table[] = {
      OWN(set_stats), .words = stats_formats},
     {"progress", 0, "WHEN", "render", "auto (default: on a terminal), always or never", WORD(progress, progress_modes)},
     {"strict", 0, NULL, "render trace explore cast check tree", "make errors of the notes on the scene", FLAG(strict)},
+    {"as", 0, "FORMAT", "help", "text (default); man: a manual page; bash, zsh, fish: completion",
+     WORD(help_format, help_formats)},
     {"quiet", 'q', NULL, "render trace explore cast check compare bench generate devices tree",
      "no messages but errors", FLAG(quiet)},
     {"help", 'h', NULL, "", "show this help", FLAG(help)},

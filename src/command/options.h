@@ -5,12 +5,20 @@
 #include "base/error.h"
 #include "command/option.h"
 
+enum { EXAMPLES = 2 }; /* of each command */
+
+/* A command line, and in a few words what it does. */
+typedef struct Example {
+    const char *line, *meaning;
+} Example;
+
 typedef struct Command {
     const char *name;
     const char *operands; /* as help shows them: "SCENE" */
     int operands_min, operands_max;
     const char *summary;
     bool (*run)(const Options *options, Error *error);
+    Example examples[EXAMPLES];
 } Command;
 
 /* The command of that name in a table that ends in a NULL name; NULL, with an ERROR_USAGE that suggests the nearest

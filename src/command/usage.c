@@ -3,9 +3,12 @@
 
 #include "command/option_table.h"
 
-#include <stdio.h>
-
 enum { HELP_COLUMN = 28 }; /* where the explanation of an option begins */
+
+void usage_print_version(FILE *out)
+{
+    fprintf(out, "rectray " RECTRAY_VERSION "\n");
+}
 
 static void print_option(FILE *out, const Option *option)
 {
@@ -23,12 +26,15 @@ void usage_print_command(FILE *out, const Command *command)
     for (const Option *option = option_table; option->name; option++)
         if (option_belongs(option, command->name))
             print_option(out, option);
+    fprintf(out, "\nexamples:\n");
+    for (int i = 0; i < EXAMPLES; i++)
+        fprintf(out, "  %s\n      %s\n", command->examples[i].line, command->examples[i].meaning);
 }
 
 void usage_print_commands(FILE *out, const Command *commands)
 {
     fprintf(out, "usage: rectray COMMAND ...\n\ncommands:\n");
     for (const Command *command = commands; command->name; command++)
-        fprintf(out, "  %-9s%-15s%s\n", command->name, command->operands, command->summary);
-    fprintf(out, "\n`rectray COMMAND --help` tells the options of a command, `rectray --version` the version.\n");
+        fprintf(out, "  %-9s%-16s%s\n", command->name, command->operands, command->summary);
+    fprintf(out, "\n`rectray help COMMAND` tells the options of a command, `rectray --version` the version.\n");
 }

@@ -6,8 +6,11 @@
 
 #include <stdio.h>
 
-/* What `rectray COMMAND --help` and `rectray --help` print. */
+#define RECTRAY_VERSION "0.1"
+
+/* What `rectray help COMMAND`, `rectray help` and `rectray --version` print. */
 void usage_print_command(FILE *out, const Command *command);
 void usage_print_commands(FILE *out, const Command *commands);
+void usage_print_version(FILE *out);
 
 #endif

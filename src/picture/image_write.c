@@ -20,8 +20,8 @@ enum { ROWS_BYTES = 256 * 1024, CHUNK_BYTES = 64 * 1024 };
  * smaller; a larger table gains nothing. docs/experiments.md compares it with zlib. */
 enum { LEVEL = 2, LEVEL_BYTES = ISAL_DEF_LVL2_SMALL };
 
-/* Pictures of fewer bytes than ISAL_LOOK_AHEAD and some are compressed at level 3. Levels 1 and 2 of ISA-L 2.30 compress
- * so short a stream to other bytes in about 1 of 100 runs: the result depends on the address of the compressor. */
+/* Pictures of few bytes are compressed at level 3. Levels 1 and 2 of ISA-L 2.30 compress a stream of some 300 bytes or
+ * less to other bytes in about 1 of 100 runs: the result depends on the address of the compressor. */
 enum { SHORT_LEVEL = 3, SHORT_LEVEL_BYTES = ISAL_DEF_LVL3_SMALL, SHORT_BYTES = 4096 };
 
 struct ImageWriter {
