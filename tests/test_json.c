@@ -1,4 +1,5 @@
 /* JSON with places: what the grammar takes and refuses, and where errors point. */
+#include "base/text.h"
 #include "json/json_read.h"
 #include "json/json_scan.h"
 
@@ -273,16 +274,38 @@ static const char *temporary_path(void)
     return path;
 }
 
-static void json_load_should_read_only_regular_files(void)
+static void json_load_should_read_no_device_and_no_folder(void)
 {
-    const char *fifo = temporary_path();
-    TEST_ASSERT_EQUAL(0, mkfifo(fifo, 0600));
-    assert_load_error(": is a pipe, not a file", fifo);
-    unlink(fifo);
     assert_load_error(": is a device, not a file", "/dev/null");
     assert_load_error(": is a folder, not a file", "tests");
     assert_load_error(": cannot be opened: No such file or directory", "tests/nowhere.json");
     assert_load_error(": cannot be opened: Not a directory", "tests/test_json.c/x");
+}
+
+static void text_read_input_should_read_a_pipe_up_to_its_limit(void)
+{
+    enum { BYTES = 30000 };
+    static char bytes[BYTES];
+    memset(bytes, 'x', BYTES);
+    for (int limit = BYTES - 1; limit <= BYTES; limit++) {
+        int ends[2];
+        char path[32], expected[80];
+        long length = 0;
+        Error error = {.kind = ERROR_NONE};
+        TEST_ASSERT_EQUAL(0, pipe(ends));
+        TEST_ASSERT_EQUAL(BYTES, write(ends[1], bytes, BYTES));
+        close(ends[1]);
+        snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
+        snprintf(expected, sizeof expected, "%s: is too large: more than %d bytes", path, BYTES - 1);
+        char *text = text_read_input(path, limit, &length, &error);
+        close(ends[0]);
+        TEST_ASSERT_EQUAL(limit == BYTES, text != NULL);
+        if (text)
+            TEST_ASSERT_EQUAL(BYTES, length);
+        else
+            TEST_ASSERT_EQUAL_STRING(expected, error.text);
+        free(text);
+    }
 }
 
 static void json_load_should_refuse_a_file_that_is_not_readable(void)
@@ -323,7 +346,8 @@ int main(void)
     RUN_TEST(json_errors_should_show_a_window_of_a_long_line);
     RUN_TEST(json_fail_should_find_the_place_of_every_value);
     RUN_TEST(json_fail_should_cut_a_name_of_a_million_characters);
-    RUN_TEST(json_load_should_read_only_regular_files);
+    RUN_TEST(json_load_should_read_no_device_and_no_folder);
+    RUN_TEST(text_read_input_should_read_a_pipe_up_to_its_limit);
     RUN_TEST(json_load_should_refuse_a_file_that_is_not_readable);
     RUN_TEST(json_load_should_refuse_a_file_that_is_too_large);
     return UNITY_END();

@@ -1,5 +1,6 @@
 /* Files of text, opened with care: whole or line by line; and small services for messages about them.
- * Only regular files are read, so that a folder, a pipe or a device is an answer and not a hang. */
+ * Only regular files are read, so that a folder, a pipe or a device is an answer and not a hang. The exception is
+ * text_read_input, for what a user names as the program's input. */
 #ifndef RECTRAY_TEXT_H
 #define RECTRAY_TEXT_H
 
@@ -17,6 +18,15 @@ enum { TEXT_LINE_MAX = 65535 }; /* the longest line that text_next_line reads, i
 /* Reads a regular file of up to `limit` bytes. The text ends in a NUL that *length does not count; the caller frees it.
  * NULL, with "PATH: reason": missing, a folder, not a regular file, unreadable, too large, no memory. */
 char *text_read(const char *path, long limit, long *length, Error *error);
+
+/* The same, and besides: "-" is standard input, and a pipe is read to its end. */
+char *text_read_input(const char *path, long limit, long *length, Error *error);
+
+/* Whether such an input can be read only once: standard input, or a pipe. */
+bool text_is_stream(const char *path);
+
+/* What messages call such an input: "<stdin>", or its path. */
+const char *text_input_name(const char *path);
 
 /* Whether the path is a regular file that can be opened; the errors are those of text_read, but any size will do. */
 bool text_check(const char *path, Error *error);

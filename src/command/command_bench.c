@@ -169,9 +169,17 @@ static bool measure_and_report(Bench *bench, const Options *options, Error *erro
     return done;
 }
 
+static bool check_scenes(const Options *options, Error *error)
+{
+    for (int i = 0; i < options->operand_count; i++)
+        if (text_is_stream(options->operands[i]))
+            return error_set(error, ERROR_USAGE, "bench reads its scenes more than once; give files, not pipes");
+    return true;
+}
+
 bool command_bench(const Options *options, Error *error)
 {
-    if (!options_agree(options, error))
+    if (!options_agree(options, error) || !check_scenes(options, error))
         return false;
     if (options->operand_count > 0 && strcmp(options->operands[0], "error") == 0)
         return command_bench_error(options, error);

@@ -187,11 +187,16 @@ static bool cast_all(Cast *cast, Error *error)
     }
 }
 
+static bool reads_stdin(const Options *options)
+{
+    return !options->rays || strcmp(options->rays, "-") == 0;
+}
+
 /* Rays may come from a pipe, so this opens more than text_open_lines would. */
 static bool open_rays(Cast *cast, Error *error)
 {
     const char *path = cast->options->rays;
-    bool from_stdin = !path || strcmp(path, "-") == 0;
+    bool from_stdin = reads_stdin(cast->options);
     cast->lines = (TextLines){.path = from_stdin ? "standard input" : path};
     cast->lines.file = from_stdin ? stdin : fopen(path, "rb");
     if (!cast->lines.file)
@@ -215,6 +220,8 @@ bool command_cast(const Options *options, Error *error)
 {
     double start = clock_ms();
     Scene scene;
+    if (strcmp(options->operands[0], "-") == 0 && reads_stdin(options))
+        return error_set(error, ERROR_USAGE, "scene and rays cannot both come from standard input; give --rays FILE");
     if (!scene_open(&scene, options, error))
         return false;
     options_note_unused(options);

@@ -58,7 +58,7 @@ static bool print_geometry(const Scene *scene, Error *error)
 static bool print_report(const Options *options, const Scene *scene, Error *error)
 {
     CheckReport report;
-    bool done = check_report_make(&report, options->operands[0], scene, error);
+    bool done = check_report_make(&report, text_input_name(options->operands[0]), scene, error);
     if (done && options->json)
         done = check_report_json(&report, options->verbose, error);
     else if (done)

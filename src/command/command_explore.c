@@ -1,6 +1,7 @@
 /* rectray explore: writes a page in which one clicks a pixel of a scene and reads how it came about. */
 #include "base/output.h"
 #include "base/process.h"
+#include "base/text.h"
 #include "command/command.h"
 #include "command/scene_open.h"
 #include "command/scene_override.h"
@@ -78,6 +79,8 @@ static bool open_page(const char *path, Error *error)
 bool command_explore(const Options *options, Error *error)
 {
     ExploreWishes wishes;
+    if (text_is_stream(options->operands[0]))
+        return error_set(error, ERROR_USAGE, "explore reads its scene more than once; give a file, not a pipe");
     if (!explore_check(error) || !check_scene(options, &wishes, error))
         return false;
     char *made = options->output ? NULL : default_output(options->operands[0], error);

@@ -45,6 +45,10 @@ static bool paint_band(void *user, int first_row, int rows, const unsigned char 
 /* The scene's name with ".png" for its extension, in the working directory. The caller frees it. */
 static char *default_output(const char *scene_path, Error *error)
 {
+    if (text_is_stream(scene_path)) {
+        error_set(error, ERROR_USAGE, "a scene that comes through a pipe has no name for its picture; give -o FILE");
+        return NULL;
+    }
     const char *slash = strrchr(scene_path, '/');
     const char *name = slash ? slash + 1 : scene_path;
     const char *dot = strrchr(name, '.');

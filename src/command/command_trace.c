@@ -1,5 +1,6 @@
 /* rectray trace: the walkthrough of one pixel, step by step, in one of several formats. */
 #include "base/output.h"
+#include "base/text.h"
 #include "command/command.h"
 #include "command/pager.h"
 #include "command/scene_open.h"
@@ -209,7 +210,7 @@ static bool record(const Options *options, const Scene *scene, const Accel *acce
         .j = options->sample_j,
         .verbose = options->verbose,
     };
-    return walkthrough_record(walk, scene, accel, options->operands[0], request, error) &&
+    return walkthrough_record(walk, scene, accel, text_input_name(options->operands[0]), request, error) &&
            walkthrough_look_around(walk, error);
 }
 

@@ -223,8 +223,8 @@ static bool parse(Json *json)
 
 bool json_load(Json *json, const char *path, Error *error)
 {
-    *json = (Json){.name = path, .error = error};
-    json->text = text_read(path, JSON_MAX_BYTES, &json->length, error);
+    *json = (Json){.name = text_input_name(path), .error = error};
+    json->text = text_read_input(path, JSON_MAX_BYTES, &json->length, error);
     return json->text && parse(json);
 }
 

@@ -167,7 +167,7 @@ static bool read_sampling(const Json *json, const cJSON *item, Scene *scene)
     return !finest || json_integer(json, finest, 1, SCENE_MAX_GRID, &scene->grid);
 }
 
-enum { CAMERA, SCREEN, LIGHTS, MATERIALS, OBJECTS, SHADING, SAMPLING, SCENE_KEYS };
+enum { CAMERA, SCREEN, LIGHTS, MATERIALS, OBJECTS, SHADING, SAMPLING, SCHEMA, SCENE_KEYS };
 
 /* Gives the reason of scene_build_finish its place. */
 static bool fail_finish(const Json *json, const JsonMember *keys, const SceneBuild *build)
@@ -177,6 +177,11 @@ static bool fail_finish(const Json *json, const JsonMember *keys, const SceneBui
     if (build->fault_light >= 0)
         return json_fail(json, cJSON_GetArrayItem(keys[LIGHTS].item, build->fault_light), "%s", build->reason);
     return json_fail(json, keys[CAMERA].item, "%s", build->reason);
+}
+
+static bool check_schema(const Json *json, const cJSON *item)
+{
+    return !item || cJSON_IsString(item) || json_fail_type(json, item, "a string");
 }
 
 static bool read_scene(const Json *json, Scene *scene, SceneBuild *build)
@@ -189,8 +194,10 @@ static bool read_scene(const Json *json, Scene *scene, SceneBuild *build)
         [OBJECTS] = {.name = "objects"},
         [SHADING] = {.name = "shading"},
         [SAMPLING] = {.name = "sampling"},
+        [SCHEMA] = {.name = "$schema"}, /* for editors */
     };
-    if (!json_members(json, json->root, keys, SCENE_KEYS) || !read_camera(json, keys[CAMERA].item, &scene->camera) ||
+    if (!json_members(json, json->root, keys, SCENE_KEYS) || !check_schema(json, keys[SCHEMA].item) ||
+        !read_camera(json, keys[CAMERA].item, &scene->camera) ||
         !read_screen(json, keys[SCREEN].item, &scene->screen) || !read_lights(json, keys[LIGHTS].item, scene) ||
         !read_materials(json, keys[MATERIALS].item, build) ||
         (keys[OBJECTS].item && !scene_objects_read(json, keys[OBJECTS].item, build)) ||
