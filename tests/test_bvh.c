@@ -2,6 +2,7 @@
 #include "trace/bvh.h"
 
 #include "support/crowds.h"
+#include "support/plain_bvh.h"
 #include "support/small_scene.h"
 
 #include "unity.h"
@@ -109,6 +110,65 @@ static void the_tree_should_not_depend_on_the_threads(void)
     scene_free(&scene);
 }
 
+/* --- The same tree as the plain builder's, whatever is done to be fast --- */
+
+static void compare_with_plain(const Scene *scene, const char *told)
+{
+    Bvh plain = plain_bvh(scene), one = tree_of(scene, 1), many = tree_of(scene, 3);
+    TEST_ASSERT_TRUE_MESSAGE(same_subtree(&plain, &one, 0), told);
+    TEST_ASSERT_TRUE_MESSAGE(same_subtree(&plain, &many, 0), told);
+    bvh_free(&plain);
+    bvh_free(&one);
+    bvh_free(&many);
+}
+
+/* Every second face that lies across an axis at 0 lies at -0: an equal number, but other bits. */
+static void negate_zeros(Scene *scene)
+{
+    for (int i = 0; i < scene->face_count; i += 2)
+        for (int k = 0; k < 12; k++)
+            if (scene->faces[i].vertices[k / 3][k % 3] == 0)
+                scene->faces[i].vertices[k / 3][k % 3] = -0.0f;
+}
+
+static void the_tree_should_be_the_plain_builder_s_node_for_node(void)
+{
+    static const int counts[] = {1, 2, 3, 7, 8, 9, 16, 17, 31, 32, 33, 500, 5000};
+    for (int kind = 0; kind < CROWD_KINDS; kind++)
+        for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+            Scene scene = crowd_scene((Crowd)kind, counts[i], 31 + (unsigned)i);
+            negate_zeros(&scene);
+            char told[64];
+            snprintf(told, sizeof told, "crowd %d of %d faces", kind, counts[i]);
+            compare_with_plain(&scene, told);
+            scene_free(&scene);
+        }
+}
+
+static void large_faces_should_be_set_apart_as_the_plain_builder_does(void)
+{
+    for (int large = 0; large <= 5; large++) {
+        Scene scene = crowd_scene(CROWD_TILES, 128, 17);
+        for (int i = 0; i < large; i++) {
+            int face = (i * 37 + 5) % 128;
+            scene.faces[face] = face_at_height(-20 - i, -20, 20, 20 + i, -1 - i);
+            scene.planes[face] = face_plane(&scene.faces[face]);
+        }
+        compare_with_plain(&scene, "large faces");
+        scene_free(&scene);
+    }
+}
+
+/* More faces than one thread takes: the top of the tree is built level by level. */
+static void a_large_tree_should_be_the_plain_builder_s(void)
+{
+    Scene quads = crowd_scene(CROWD_QUADS, 40000, 5), equal = crowd_scene(CROWD_EQUAL, 20000, 5);
+    compare_with_plain(&quads, "many quads");
+    compare_with_plain(&equal, "many equal faces");
+    scene_free(&quads);
+    scene_free(&equal);
+}
+
 /* --- How good it is: what a random line through the root costs, a box test a face test each --- */
 
 static double tree_cost(const Bvh *bvh, int index)
@@ -164,6 +224,9 @@ int main(void)
     RUN_TEST(a_floor_below_many_faces_should_be_set_apart_at_the_root);
     RUN_TEST(one_face_should_be_a_leaf);
     RUN_TEST(the_tree_should_not_depend_on_the_threads);
+    RUN_TEST(the_tree_should_be_the_plain_builder_s_node_for_node);
+    RUN_TEST(large_faces_should_be_set_apart_as_the_plain_builder_does);
+    RUN_TEST(a_large_tree_should_be_the_plain_builder_s);
     RUN_TEST(the_heuristic_should_beat_halving);
     return UNITY_END();
 }

@@ -60,6 +60,8 @@ $(BUILD)/tests/test_backends $(BUILD)/tests/test_plain: $(BUILD)/tests/support/n
 $(BUILD)/tests/test_plain $(BUILD)/tests/test_textbook: $(BUILD)/tests/support/plain_picture.o
 $(patsubst %,$(BUILD)/tests/test_%,backends plain textbook): LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
 
+$(BUILD)/tests/test_bvh: $(BUILD)/tests/support/plain_bvh.o
+
 # The fuzzers' targets over the inputs that are kept; they too call the library.
 $(BUILD)/tests/test_fuzz: $(FUZZ_OBJECTS)
 $(BUILD)/tests/test_fuzz: LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread

@@ -48,18 +48,20 @@ Vec3 face_vertex(const Face *face, int index)
 Box face_box(const Face *face, const Plane *plane)
 {
     Box box = box_empty();
-    double warp = 0; /* how far a vertex may lie from the plane, rounding included */
     for (int k = 0; k < 4; k++) {
         const float *v = face->vertices[k];
-        box = box_union(box, (Box){{v[0], v[1], v[2]}, {v[0], v[1], v[2]}});
-        Vec3 edge = vec3_sub(face_vertex(face, k), face_vertex(face, 0));
-        double height = vec3_dot(plane->normal, edge);
-        warp = fmax(warp, fabs(height) + 8 * ROUNDING * vec3_magnitudes(edge));
+        box_grow(&box, &(Box){{v[0], v[1], v[2]}, {v[0], v[1], v[2]}});
     }
     /* Across an axis nothing is rounded: t is the same quotient as the box's. */
     for (int axis = 0; axis < 3; axis++)
         if (box.low[axis] == box.high[axis])
             return box;
+    double warp = 0; /* how far a vertex may lie from the plane, rounding included */
+    for (int k = 0; k < 4; k++) {
+        Vec3 edge = vec3_sub(face_vertex(face, k), face_vertex(face, 0));
+        double height = vec3_dot(plane->normal, edge);
+        warp = fmax(warp, fabs(height) + 8 * ROUNDING * vec3_magnitudes(edge));
+    }
     for (int axis = 0; axis < 3; axis++) {
         box.low[axis] = nextafterf((float)((double)box.low[axis] - 256 * warp), -FLT_MAX);
         box.high[axis] = nextafterf((float)((double)box.high[axis] + 256 * warp), FLT_MAX);

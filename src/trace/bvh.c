@@ -7,92 +7,168 @@
 #include "scene/geometry.h"
 
 #include <stdlib.h>
-#include <string.h>
 
+/* A subtree of fewer faces, or less than such a part of all, is built by one thread. */
 enum { MIN_TASK = 4096, TASKS = 32 };
 
-/* A subtree to be built: node `node` over the face boxes [first, first + count). */
+/* Boxes of faces that a thread makes at a time. */
+enum { PIECE = 16384 };
+
+/* A subtree to be built: node `node` over the faces [first, first + count). */
 typedef struct Task {
     int node, first, count, depth;
+    BoundsRange range;
 } Task;
+
+/* On each level fewer than TASKS subtrees are larger than a task, and each of them has two children. */
+enum { MAX_TASKS = 2 * TASKS * BVH_MAX_DEPTH };
 
 typedef struct Builder {
     Bvh *bvh;
-    FaceBox *boxes;
+    const Scene *scene;
+    Bounds *boxes;
+    BoundsRange *pieces; /* of the boxes */
     Task *tasks;
-    int task_count;
-    int task_size; /* faces of a subtree small enough to be built by one thread */
 } Builder;
 
-static int compare_faces(const void *a, const void *b)
+/* Faces of a leaf stand in the order of their numbers. */
+static void sort_faces(int *faces, int count)
 {
-    int x = ((const FaceBox *)a)->face, y = ((const FaceBox *)b)->face;
-    return (x > y) - (x < y);
+    for (int i = 1; i < count; i++) {
+        int face = faces[i], place = i;
+        for (; place > 0 && faces[place - 1] > face; place--)
+            faces[place] = faces[place - 1];
+        faces[place] = face;
+    }
 }
 
-static void make_leaf(Builder *builder, BvhNode *node, Task task)
+/* Makes the subtree's root. True where it is an inner node: then these are the subtrees of its children. */
+static bool make_node(const Builder *builder, const Task *task, Task children[2])
 {
-    FaceBox *boxes = builder->boxes + task.first;
-    qsort(boxes, (size_t)task.count, sizeof *boxes, compare_faces);
-    for (int i = 0; i < task.count; i++)
-        builder->bvh->order[task.first + i] = boxes[i].face;
-    node->first = task.first;
-    node->count = task.count;
-}
-
-static void build_subtree(Builder *builder, Task task, bool set_aside);
-
-/* Builds a child, or sets it aside for the threads: while the top is built, when it has become small enough. */
-static void build_child(Builder *builder, Task task, bool set_aside)
-{
-    if (set_aside && task.count <= builder->task_size)
-        builder->tasks[builder->task_count++] = task;
-    else
-        build_subtree(builder, task, set_aside);
-}
-
-static void build_subtree(Builder *builder, Task task, bool set_aside)
-{
-    BvhNode *node = &builder->bvh->nodes[task.node];
-    FaceBox *boxes = builder->boxes + task.first;
-    node->box = box_empty();
-    for (int i = 0; i < task.count; i++)
-        box_grow(&node->box, &boxes[i].box);
-    int left = bvh_split(node->box, boxes, task.count, task.depth);
+    BvhNode *node = &builder->bvh->nodes[task->node];
+    BvhFaces faces = {builder->boxes + task->first, builder->bvh->order + task->first, task->count};
+    BoundsRange sides[2];
+    int left = bvh_split(faces, task->depth, &task->range, sides);
+    node->box = bounds_box(task->range.boxes);
     if (left == 0) {
-        make_leaf(builder, node, task);
-        return;
+        sort_faces(faces.faces, task->count);
+        node->first = task->first;
+        node->count = task->count;
+        return false;
     }
     node->count = 0;
-    node->first = task.node + 2 * left;
-    build_child(builder, (Task){task.node + 1, task.first, left, task.depth + 1}, set_aside);
-    build_child(builder, (Task){node->first, task.first + left, task.count - left, task.depth + 1}, set_aside);
+    node->first = task->node + 2 * left;
+    children[0] = (Task){task->node + 1, task->first, left, task->depth + 1, sides[0]};
+    children[1] = (Task){node->first, task->first + left, task->count - left, task->depth + 1, sides[1]};
+    return true;
+}
+
+static void build_subtree(const Builder *builder, const Task *task)
+{
+    Task children[2];
+    if (!make_node(builder, task, children))
+        return;
+    build_subtree(builder, &children[0]);
+    build_subtree(builder, &children[1]);
 }
 
 static void build_task(void *data, int i, int thread)
 {
-    Builder *builder = data;
+    const Builder *builder = data;
     (void)thread;
-    build_subtree(builder, builder->tasks[i], false);
+    build_subtree(builder, &builder->tasks[i]);
+}
+
+/* --- The boxes of the faces --- */
+
+static void make_boxes(void *data, int piece, int thread)
+{
+    const Builder *builder = data;
+    const Scene *scene = builder->scene;
+    int first = piece * PIECE, end = scene->face_count - first < PIECE ? scene->face_count : first + PIECE;
+    (void)thread;
+    for (int i = first; i < end; i++) {
+        builder->boxes[i] = bounds_of(face_box(&scene->faces[i], &scene->planes[i]));
+        builder->bvh->order[i] = i;
+    }
+    builder->pieces[piece] = bounds_range_of(builder->boxes + first, end - first);
+}
+
+static BoundsRange make_all_boxes(Builder *builder, int pieces, int threads)
+{
+    parallel_for(threads, pieces, make_boxes, builder);
+    BoundsRange all = builder->pieces[0];
+    for (int i = 1; i < pieces; i++) {
+        bounds_grow(&all.boxes, &builder->pieces[i].boxes);
+        bounds_grow(&all.middles, &builder->pieces[i].middles);
+    }
+    return all;
+}
+
+/* --- The top of the tree --- */
+
+/* The subtrees of one level that are too large for one thread, and their children. */
+typedef struct Level {
+    const Builder *builder;
+    Task large[TASKS], children[TASKS][2];
+    bool inner[TASKS];
+    int count;
+} Level;
+
+static void split_large(void *data, int i, int thread)
+{
+    Level *level = data;
+    (void)thread;
+    level->inner[i] = make_node(level->builder, &level->large[i], level->children[i]);
+}
+
+/* Sorts the subtrees by size: the large ones become the next level, the others tasks. */
+static int sort_out(Level *level, int task_size, Task *tasks, int task_count)
+{
+    int count = level->count;
+    level->count = 0;
+    for (int i = 0; i < 2 * count; i++) {
+        const Task *child = &level->children[i / 2][i % 2];
+        if (level->inner[i / 2] && child->count > task_size)
+            level->large[level->count++] = *child;
+        else if (level->inner[i / 2])
+            tasks[task_count++] = *child;
+    }
+    return task_count;
+}
+
+static void build_tree(Builder *builder, BoundsRange all, int threads)
+{
+    int faces = builder->scene->face_count, task_count = 0;
+    int task_size = faces / TASKS > MIN_TASK ? faces / TASKS : MIN_TASK;
+    Task root = {0, 0, faces, 0, all};
+    Level level = {.builder = builder, .count = faces > task_size};
+    if (level.count == 0)
+        builder->tasks[task_count++] = root;
+    level.large[0] = root;
+    while (level.count > 0) {
+        parallel_for(threads, level.count, split_large, &level);
+        task_count = sort_out(&level, task_size, builder->tasks, task_count);
+    }
+    parallel_for(threads, task_count, build_task, builder);
 }
 
 bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error)
 {
-    size_t count = (size_t)scene->face_count;
+    size_t count = (size_t)scene->face_count, pieces = (count + PIECE - 1) / PIECE;
     *bvh = (Bvh){.face_count = scene->face_count};
     bvh->nodes = malloc(2 * count * sizeof *bvh->nodes);
     bvh->order = malloc(count * sizeof *bvh->order);
-    Builder builder = {
-        .bvh = bvh, .boxes = malloc(count * sizeof *builder.boxes), .tasks = malloc(count * sizeof(Task))};
-    bool ok = bvh->nodes && bvh->order && builder.boxes && builder.tasks;
-    if (ok) {
-        for (size_t i = 0; i < count; i++)
-            builder.boxes[i] = (FaceBox){face_box(&scene->faces[i], &scene->planes[i]), (int)i};
-        builder.task_size = scene->face_count / TASKS > MIN_TASK ? scene->face_count / TASKS : MIN_TASK;
-        build_child(&builder, (Task){0, 0, scene->face_count, 0}, true);
-        parallel_for(threads, builder.task_count, build_task, &builder);
-    }
+    Builder builder = {.bvh = bvh,
+                       .scene = scene,
+                       .boxes = malloc(count * sizeof *builder.boxes),
+                       .pieces = malloc(pieces * sizeof *builder.pieces),
+                       .tasks = malloc(MAX_TASKS * sizeof *builder.tasks)};
+    bool ok = bvh->nodes && bvh->order && builder.boxes && builder.pieces && builder.tasks;
+    if (ok)
+        build_tree(&builder, make_all_boxes(&builder, (int)pieces, threads), threads);
     free(builder.boxes);
+    free(builder.pieces);
     free(builder.tasks);
     if (!ok) {
         bvh_free(bvh);

@@ -23,7 +23,7 @@ typedef struct Bvh {
 } Bvh;
 
 /* Builds the tree of a scene with at least one face on `threads` threads; the tree does not depend on their number.
- * Memory: 72 bytes per face, and 36 more while building. False with an ERROR_SYSTEM when there is not enough. */
+ * Memory: 68 bytes per face, and 32 more while building. False with an ERROR_SYSTEM when there is not enough. */
 bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error);
 void bvh_free(Bvh *bvh);
 

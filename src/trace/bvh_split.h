@@ -2,20 +2,23 @@
 #ifndef RECTRAY_BVH_SPLIT_H
 #define RECTRAY_BVH_SPLIT_H
 
-#include "scene/box.h"
+#include "trace/bvh_bins.h"
 
-enum { BVH_BINS = 16, BVH_MAX_DEPTH = 96 };
+enum { BVH_MAX_DEPTH = 96 };
 
 /* What a step into a node costs, in face tests. */
 #define BVH_NODE_COST 0.5
 
-typedef struct FaceBox {
-    Box box;
-    int face;
-} FaceBox;
+/* The faces below a node, by their boxes. */
+typedef struct BvhFaces {
+    Bounds *boxes;
+    int *faces; /* whose boxes they are */
+    int count;
+} BvhFaces;
 
-/* Splits a node at some depth: puts the boxes of the left child first and returns how many they are; 0: a leaf. */
-int bvh_split(Box node, FaceBox *boxes, int count, int depth);
+/* Splits a node at some depth; `range`: of all its boxes. Puts the faces of the left child first and returns how many
+ * they are, with the range of each side; 0: a leaf. */
+int bvh_split(BvhFaces faces, int depth, const BoundsRange *range, BoundsRange sides[2]);
 
 /* All planes that are tried, for those who want to see the choice. */
 typedef struct BvhCandidates {
@@ -25,6 +28,6 @@ typedef struct BvhCandidates {
     float plane[3][BVH_BINS - 1]; /* those with their middles below it */
 } BvhCandidates;
 
-BvhCandidates bvh_split_candidates(Box node, const FaceBox *boxes, int count);
+BvhCandidates bvh_split_candidates(Box node, const Bounds *boxes, int count);
 
 #endif

@@ -83,7 +83,7 @@ static void step_kdtree(Walker *walker, Waiting *waiting, TreeStep *step)
 
 /* --- The BVH: the faces below a node are put into bins again --- */
 
-static int collect(const Walker *walker, int index, FaceBox *boxes, int count)
+static int collect(const Walker *walker, int index, Bounds *boxes, int count)
 {
     AccelNode node = accel_node(walker->accel, index);
     const Scene *scene = walker->scene;
@@ -91,23 +91,23 @@ static int collect(const Walker *walker, int index, FaceBox *boxes, int count)
         return collect(walker, node.high, boxes, collect(walker, node.low, boxes, count));
     for (int i = 0; i < node.faces; i++) {
         int face = node.order[i];
-        boxes[count++] = (FaceBox){face_box(&scene->faces[face], &scene->planes[face]), face};
+        boxes[count++] = bounds_of(face_box(&scene->faces[face], &scene->planes[face]));
     }
     return count;
 }
 
 /* Whether the node's first faces are those that fill most of it, and no others do: see part_large in bvh_split.c. */
-static int count_set_apart(Box node, const FaceBox *boxes, int low, int count)
+static int count_set_apart(Box node, const Bounds *boxes, int low, int count)
 {
     for (int i = 0; i < count; i++)
-        if ((box_half_area(boxes[i].box) > box_half_area(node) / 2) != (i < low))
+        if ((bounds_half_area(&boxes[i]) > box_half_area(node) / 2) != (i < low))
             return 0;
     return low;
 }
 
 static void step_bvh(Walker *walker, const Waiting *waiting, TreeStep *step)
 {
-    FaceBox *boxes = malloc((size_t)walker->scene->face_count * sizeof *boxes);
+    Bounds *boxes = malloc((size_t)walker->scene->face_count * sizeof *boxes);
     if (!boxes) {
         walker->failed = true;
         return;
