@@ -19,9 +19,9 @@ typedef struct Json {
     Error *error; /* borrowed; where json_fail writes */
 } Json;
 
-/* Reads and parses a file, a pipe, or with "-" standard input. Errors (ERROR_INPUT): those of text_read_input; a syntax error,
- * also a byte order mark, a NUL, bytes that are not UTF-8, a number out of a double's
- * range; a key that stands twice in an object. Frees what it had on failure. */
+/* Reads and parses a file, a pipe, or with "-" standard input. Errors (ERROR_INPUT): those of text_read_input; a syntax
+ * error, also a byte order mark, a NUL, bytes that are not UTF-8, a number out of a double's range; a key that stands
+ * twice in an object. Frees what it had on failure. */
 bool json_load(Json *json, const char *path, Error *error);
 
 /* The same for a text in memory, which is copied. `name` stands for the path in messages. */
