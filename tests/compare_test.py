@@ -88,7 +88,7 @@ class Compare(CommandTest):
 
     def test_pictures_that_cannot_be_compared_are_1(self):
         self.assertIn("2 x 2 pixels", self.run_program("compare", "a.png", "c.png", status=1)[1])
-        self.assertIn("not a PNG", self.run_program("compare", "a.png", "scene.json", status=1)[1])
+        self.assertIn("neither a PNG nor a PPM", self.run_program("compare", "a.png", "scene.json", status=1)[1])
         for name in ("missing.png", "."):
             self.assertRegex(self.run_program("compare", name, "a.png", status=1)[1], rf"^{name}: cannot be read: ")
 

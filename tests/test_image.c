@@ -242,7 +242,7 @@ static void image_read_should_refuse_what_is_no_png(void)
         put_text("a.png", texts[i]);
         TEST_ASSERT_FALSE(image_read(&image, in_folder("a.png"), &error));
         TEST_ASSERT_EQUAL_INT(ERROR_INPUT, error.kind);
-        TEST_ASSERT_NOT_NULL(strstr(error.text, "a.png: not a PNG picture"));
+        TEST_ASSERT_NOT_NULL(strstr(error.text, "a.png: neither a PNG nor a PPM picture"));
     }
     error = (Error){0};
     TEST_ASSERT_FALSE(image_read(&image, folder, &error));

@@ -3,6 +3,7 @@
 #include "command/command.h"
 #include "picture/heat.h"
 #include "picture/image.h"
+#include "picture/image_linear.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -132,8 +133,57 @@ static bool compare(Image *a, const Image *b, const Options *options, Error *err
     return true;
 }
 
+/* --- Linear colours --- */
+
+/* The root of the mean squared difference, over all values, and the largest difference. */
+static void print_linear(const LinearImage *a, const LinearImage *b)
+{
+    size_t values = (size_t)a->columns * (size_t)a->rows * 3, differing = 0;
+    double squares = 0, most = 0;
+    for (size_t i = 0; i < values; i++) {
+        double delta = fabs((double)a->rgb[i] - (double)b->rgb[i]);
+        squares += delta * delta;
+        most = delta > most ? delta : most;
+        differing += !(delta == 0);
+    }
+    printf("%-10s%.9g\n%-10s%.9g\n%-10s%zu of %zu values\n", "rmse", sqrt(squares / (double)values), "max", most,
+           "differing", differing, values);
+}
+
+static bool compare_linear(const LinearImage *a, const LinearImage *b, const Options *options, Error *error)
+{
+    const char *const *names = options->operands;
+    if (a->columns != b->columns || a->rows != b->rows)
+        return error_set(error, ERROR_INPUT, "%s has %d x %d pixels, %s %d x %d: they cannot be compared", names[0],
+                         a->columns, a->rows, names[1], b->columns, b->rows);
+    if (!options->quiet)
+        print_linear(a, b);
+    size_t bytes = (size_t)a->columns * (size_t)a->rows * 3 * sizeof *a->rgb;
+    return memcmp(a->rgb, b->rgb, bytes) == 0 || error_set(error, ERROR_INPUT, "%s and %s differ", names[0], names[1]);
+}
+
+/* Two PFM. They are equal or they are not: a tolerance and pictures of differences are of 8 bits. */
+static bool compare_pfm(const Options *options, Error *error)
+{
+    const char *const *names = options->operands;
+    LinearImage a = {0}, b = {0};
+    for (int i = 0; i < 2; i++)
+        if (!image_is_pfm(names[i]))
+            return error_set(error, ERROR_INPUT, "%s is a PFM, of linear colours, and %s is not; compare it with a PFM",
+                             names[1 - i], names[i]);
+    if (options->output || options->heatmap || options->tolerance > 0)
+        return error_set(error, ERROR_USAGE, "--output, --heatmap and --tolerance are for pictures of 8 bits, not PFM");
+    bool done = image_linear_read(&a, names[0], error) && image_linear_read(&b, names[1], error) &&
+                compare_linear(&a, &b, options, error);
+    image_linear_free(&a);
+    image_linear_free(&b);
+    return done;
+}
+
 bool command_compare(const Options *options, Error *error)
 {
+    if (image_is_pfm(options->operands[0]) || image_is_pfm(options->operands[1]))
+        return compare_pfm(options, error);
     if (options->output && options->heatmap && strcmp(options->output, options->heatmap) == 0)
         return error_set(error, ERROR_USAGE, "--output and --heatmap are two pictures; both cannot be %s",
                          options->output);

@@ -5,12 +5,12 @@
 #include "base/text.h"
 #include "command/command.h"
 #include "command/progress.h"
+#include "command/render_maps.h"
 #include "command/scene_open.h"
 #include "command/scene_override.h"
 #include "command/stats.h"
 #include "opencl/backend.h"
 #include "picture/image.h"
-#include "picture/map.h"
 #include "picture/mark.h"
 
 #include <stdlib.h>
@@ -21,8 +21,9 @@ typedef struct Painter {
     ImageWriter *writer;
     Progress progress;
     double encode_ms;
-    int rows;     /* of the whole picture */
-    Image marked; /* the whole picture, where a pixel of it is to be marked; else without pixels */
+    int rows;       /* of the whole picture */
+    Image marked;   /* the whole picture, where a pixel of it is to be marked; else without pixels */
+    double *linear; /* the whole picture in linear colours, where they are written; else NULL */
 } Painter;
 
 static bool paint_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
@@ -33,7 +34,7 @@ static bool paint_band(void *user, int first_row, int rows, const unsigned char 
     size_t stride = (size_t)painter->marked.columns * 3;
     if (painter->marked.rgb)
         memcpy(painter->marked.rgb + (size_t)first_row * stride, rgb, (size_t)rows * stride);
-    bool ok = painter->marked.rgb || image_writer_rows(painter->writer, rgb, rows, error);
+    bool ok = painter->marked.rgb || painter->linear || image_writer_rows(painter->writer, rgb, rows, error);
     painter->encode_ms += clock_ms() - start;
     const RayCounts *rays = &so_far->rays;
     progress_step(&painter->progress, (double)(first_row + rows) / painter->rows,
@@ -91,6 +92,7 @@ static bool trace(const Options *options, const Scene *scene, Painter *painter, 
     painter->progress = progress_start(options->progress, options->quiet);
     RenderSettings settings = options->settings;
     settings.precision = precision_of(options);
+    settings.linear = painter->linear;
     settings.notice = (Notice){show_notice, painter};
     bool done = backend_render(options->backend, scene, &settings, sink, report, error);
     progress_end(&painter->progress);
@@ -132,28 +134,67 @@ static bool write_marked(const Options *options, Painter *painter, Error *error)
     return done;
 }
 
+/* --- Formats --- */
+
+static bool choose_kind(const Options *options, const char *output, ImageKind *kind, Error *error)
+{
+    kind->depth = options->depth == 1 ? 16 : 8;
+    kind->format = (ImageFormat)options->picture_format;
+    if (options->picture_format < 0 && !image_format_of(output, &kind->format, error))
+        return false;
+    bool linear = kind->format == IMAGE_PFM || kind->depth == 16;
+    if (kind->format == IMAGE_PFM && kind->depth == 16)
+        return error_set(error, ERROR_USAGE, "--depth is of png and ppm; a pfm has 32-bit floats");
+    if (linear && options->settings.arithmetic == ARITHMETIC_TEXTBOOK && options->backend == BACKEND_REFERENCE)
+        return error_set(error, ERROR_USAGE,
+                         "textbook arithmetic of the reference gives 8 bits; choose .png or .ppm, or "
+                         "--kernel plain");
+    return !linear || !options->mark_given ||
+           error_set(error, ERROR_USAGE, "--mark draws into a picture of 8 bits; choose .png or .ppm");
+}
+
+static bool keep_linear(Painter *painter, const Scene *scene, Error *error)
+{
+    painter->linear = malloc((size_t)scene->screen.columns * (size_t)scene->screen.rows * 3 * sizeof *painter->linear);
+    return painter->linear || error_memory(error, "the picture in linear colours");
+}
+
+/* --- The way from the scene to the file --- */
+
+/* The picture of a painter whose writer is open. */
+static bool paint(const Options *options, const Scene *scene, ImageKind kind, Painter *painter, RenderReport *report,
+                  Error *error)
+{
+    bool linear = kind.format == IMAGE_PFM || kind.depth == 16;
+    if ((options->mark_given && !keep_picture(painter, scene, error)) ||
+        (linear && !keep_linear(painter, scene, error)) || !trace(options, scene, painter, report, error))
+        return false;
+    double start = clock_ms();
+    bool written = write_marked(options, painter, error) &&
+                   (!linear || image_writer_linear(painter->writer, painter->linear, error));
+    painter->encode_ms += clock_ms() - start;
+    return written;
+}
+
 /* Traces the scene into the file `output`. */
 static bool render(const Options *options, const Scene *scene, const char *output, Stats *stats, Error *error)
 {
+    ImageKind kind;
+    if (!choose_kind(options, output, &kind, error))
+        return false;
     double start = clock_ms();
-    Painter painter = {.writer = image_writer_open(output, scene->screen.columns, scene->screen.rows, error)};
+    Painter painter = {.writer = image_writer_open_as(output, kind, scene->screen.columns, scene->screen.rows, error)};
     if (!painter.writer)
         return false;
     painter.encode_ms = clock_ms() - start;
-    if (options->mark_given && !keep_picture(&painter, scene, error)) {
-        image_writer_abort(painter.writer);
-        return false;
-    }
-    if (!trace(options, scene, &painter, &stats->report, error)) {
-        image_free(&painter.marked);
+    bool painted = paint(options, scene, kind, &painter, &stats->report, error);
+    image_free(&painter.marked);
+    free(painter.linear);
+    if (!painted) {
         image_writer_abort(painter.writer);
         return false;
     }
     start = clock_ms();
-    if (!write_marked(options, &painter, error)) {
-        image_writer_abort(painter.writer);
-        return false;
-    }
     bool done = image_writer_commit(painter.writer, error);
     stats->encode_ms = painter.encode_ms + clock_ms() - start;
     return done;
@@ -173,26 +214,6 @@ static bool render_scene(const Options *options, const Scene *scene, Stats *stat
     return done && stats_print(to_stdout ? stderr : stdout, options->stats, stats, error);
 }
 
-/* What the map's colours run between. */
-static void print_scale(const Options *options, MapScale scale)
-{
-    const char *file = options->map_file;
-    if (options->map == MAP_RAYS)
-        fprintf(stderr, "%s: rays per pixel, from %.0f (black) to %.0f (white)\n", file, scale.low, scale.high);
-    else if (options->map == MAP_TIME)
-        fprintf(stderr, "%s: time per pixel, from %.4g ms (black) to %.4g ms (white)\n", file, scale.low, scale.high);
-    else if (options->map == MAP_DEPTH)
-        fprintf(stderr, "%s: depth, from %.6g (white) to %.6g (dark grey); black: nothing is hit\n", file, scale.low,
-                scale.high);
-    else if (options->map == MAP_TESTS)
-        fprintf(stderr, "%s: faces and nodes tested per pixel, from %.6g (black) to %.6g (white)\n", file, scale.low,
-                scale.high);
-    else if (options->map == MAP_NORMAL)
-        fprintf(stderr, "%s: normals, x, y, z from -1 to 1 as red, green, blue; black: nothing is hit\n", file);
-    else
-        fprintf(stderr, "%s: faces, a colour for each number; black: nothing is hit\n", file);
-}
-
 static bool check_mark(const Options *options, const Scene *scene, Error *error)
 {
     const Screen *screen = &scene->screen;
@@ -200,30 +221,6 @@ static bool check_mark(const Options *options, const Scene *scene, Error *error)
         return true;
     return error_set(error, ERROR_USAGE, "--mark %d,%d is outside the picture, whose pixels are 0,0 to %d,%d",
                      options->mark_column, options->mark_row, screen->columns - 1, screen->rows - 1);
-}
-
-static bool check_map(const Options *options, Error *error)
-{
-    if (options->map_file && options->map == MAP_TIME && options->backend != BACKEND_REFERENCE)
-        return error_set(error, ERROR_USAGE,
-                         "--map time needs --backend reference: an OpenCL device times no single pixels");
-    if (options->map_file && options->output && strcmp(options->map_file, options->output) == 0)
-        return error_set(error, ERROR_USAGE, "the map %s would replace the picture; choose another name",
-                         options->map_file);
-    return !options->map_file || spare_scene(options->operands[0], options->map_file, error);
-}
-
-static bool draw_map(const Options *options, const Scene *scene, Error *error)
-{
-    Image image;
-    MapScale scale = {options->map_low, options->map_high};
-    bool done =
-        map_draw(&image, scene, options->map, options->settings.accel, options->settings.threads, &scale, error) &&
-        image_write(&image, options->map_file, error);
-    if (done && !options->quiet)
-        print_scale(options, scale);
-    image_free(&image);
-    return done;
 }
 
 bool command_render(const Options *options, Error *error)
@@ -241,9 +238,8 @@ bool command_render(const Options *options, Error *error)
     stats.parse_ms = clock_ms() - start;
     options_note_unused(options);
     scene_override(&scene, options);
-    bool done = check_mark(options, &scene, error) && check_map(options, error) &&
-                render_scene(options, &scene, &stats, start, error) &&
-                (!options->map_file || draw_map(options, &scene, error));
+    bool done = check_mark(options, &scene, error) && render_maps_check(options, error) &&
+                render_scene(options, &scene, &stats, start, error) && render_maps_draw(options, &scene, error);
     scene_free(&scene);
     return done;
 }

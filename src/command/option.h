@@ -4,6 +4,7 @@
 
 #include "command/progress.h"
 #include "command/stats.h"
+#include "picture/image_format.h"
 #include "trace/render.h"
 #include "walkthrough/walkthrough_formats.h"
 
@@ -18,7 +19,12 @@ typedef enum ColourChoice { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER } ColourCho
 /* What `help` prints: text for people, a manual page, or a script for a shell. */
 typedef enum HelpFormat { HELP_TEXT, HELP_MAN, HELP_BASH, HELP_ZSH, HELP_FISH } HelpFormat;
 
-enum { TRACE_PIXELS_MAX = 16 };
+enum { TRACE_PIXELS_MAX = 16, MAPS_MAX = 16 };
+
+typedef struct OptionMap {
+    MapKind kind;
+    const char *file;
+} OptionMap;
 
 typedef struct TracePixel {
     int column, row;
@@ -38,8 +44,8 @@ typedef struct Options {
     int grid;
     SamplingChoice sampling;
     const char *second_value; /* of an option that takes two, while it is read */
-    const char *map_file;     /* NULL: no map */
-    MapKind map;
+    OptionMap maps[MAPS_MAX];
+    int map_count;
     bool mark_given;
     int mark_column, mark_row;
     double map_low, map_high;                        /* of its colours; 0: not given */
@@ -58,6 +64,8 @@ typedef struct Options {
     int width; /* of lines of text; 0: not given */
     int steps; /* of the building of a tree; 0: not given */
     StatsFormat stats;
+    int picture_format; /* an ImageFormat; -1: as the ending of the file says */
+    int depth;          /* place in 8, 16: bits a channel of a picture */
     ProgressMode progress;
     HelpFormat help_format;
     bool precision_given, pixel_given, shift_given;

@@ -30,6 +30,7 @@ static const char *const help_formats[] = {
     [HELP_TEXT] = "text", [HELP_MAN] = "man", [HELP_BASH] = "bash", [HELP_ZSH] = "zsh", [HELP_FISH] = "fish", NULL};
 
 static const char *const stats_formats[] = {"text", "json", NULL}; /* of STATS_TEXT and what comes after it */
+static const char *const depth_words[] = {"8", "16", NULL};
 static const char *const lane_words[] = {"1", "4", "8", "16", NULL};
 
 /* --- Functions of options whose value is no plain word or number --- */
@@ -145,9 +146,11 @@ static bool set_sampling(Options *o, const char *value)
 static bool set_map(Options *o, const char *value)
 {
     int index = option_word(value, map_kinds);
-    o->map = (MapKind)index;
-    o->map_file = o->second_value;
-    return index >= 0 && o->map_file && o->map_file[0] != '-' && o->map_file[0] != '\0';
+    const char *file = o->second_value;
+    if (index < 0 || !file || file[0] == '-' || file[0] == '\0' || o->map_count == MAPS_MAX)
+        return false;
+    o->maps[o->map_count++] = (OptionMap){(MapKind)index, file};
+    return true;
 }
 
 /* "LOW:HIGH". */
@@ -192,6 +195,9 @@ const Option option_table[] = {
      OWN(set_grid), .expects = "a whole number from 1 to 16"},
     {"sampling", 0, "HOW", "render trace", "uniform:N as --grid; adaptive[:N]: 16 rays (N = 8) where needed",
      OWN(set_sampling), .expects = "uniform, uniform:N, adaptive or adaptive:N, N from 1 to 16"},
+    {"format", 0, "NAME", "render", "png, ppm or pfm (linear colours), whatever the file's ending",
+     WORD(picture_format, image_format_words)},
+    {"depth", 0, "N", "render", "8 (default) or 16 bits a channel (png, ppm)", WORD(depth, depth_words)},
     {"map", 0, "KIND FILE", "render", "what the pixels cost or show: rays, time, tests, depth, normal or face",
      OWN(set_map), .expects = "rays, time, depth, normal, face or tests, and the name of a file"},
     {"mark", 0, "COLUMN,ROW", "render", "mark a pixel, show what is around it larger, and print the bytes there",

@@ -5,6 +5,7 @@
 
 #include "base/suggest.h"
 #include "command/option_table.h"
+#include "picture/map.h"
 
 #include <assert.h>
 #include <getopt.h>
@@ -156,9 +157,11 @@ bool options_agree(const Options *options, Error *error)
     if (options->shift_given && !textbook)
         return error_set(error, ERROR_USAGE,
                          "--shift needs --arithmetic textbook: exact arithmetic finds the shift of each point");
-    if (options->map_file && textbook)
+    if (options->map_count > 0 && textbook)
         return error_set(error, ERROR_USAGE, "--map shows what exact arithmetic does; leave out --arithmetic textbook");
-    bool scaled = options->map_file && options->map != MAP_NORMAL && options->map != MAP_FACE;
+    bool scaled = false;
+    for (int i = 0; i < options->map_count; i++)
+        scaled = scaled || map_has_scale(options->maps[i].kind);
     if (options->map_high > 0 && !scaled)
         return error_set(error, ERROR_USAGE, "--map-scale needs --map rays, time, depth or tests");
     return true;
@@ -205,7 +208,8 @@ bool options_parse(Options *options, const Command *command, int argc, char **ar
 {
     assert(command->operands_max <= MAX_OPERANDS);
     Grammar grammar = grammar_of(command);
-    *options = (Options){.settings.device = -1, .settings.shift = SCENE_SHIFT, .bounces = -1, .blocked_light = -1};
+    *options = (Options){
+        .settings.device = -1, .settings.shift = SCENE_SHIFT, .bounces = -1, .blocked_light = -1, .picture_format = -1};
     opterr = 0;
     optind = 0; /* from the beginning, whatever was read before */
     for (int found; (found = getopt_long(argc, argv, grammar.letters, grammar.options, NULL)) != -1;) {

@@ -1,8 +1,9 @@
-/* Reads PNG files of any kind as RGB, 8 bits each. libpng reports an error by longjmp; what must be freed then
- * lives in a Reader that the caller of setjmp only points to, so that no changed local variable is read after it. */
+/* Reads PNG files of any kind, and PPM files, as RGB, 8 bits each. libpng reports an error by longjmp; what must be
+ * freed then lives in a Reader that the caller of setjmp only points to: no changed local variable is read after it. */
 #include "picture/image.h"
 
 #include "base/text.h"
+#include "picture/image_ppm.h"
 
 #include <png.h>
 #include <stdint.h>
@@ -59,16 +60,18 @@ static void on_data(png_structp png, png_bytep data, size_t size)
     png_error(png, "it ends too early");
 }
 
-static bool reader_open(Reader *reader)
+static bool open_file(Reader *reader, unsigned char signature[8])
 {
-    unsigned char signature[8] = {0};
     reader->file = fopen(reader->path, "rb");
-    if (!reader->file)
+    if (!reader->file || (fread(signature, 1, 8, reader->file) != 8 && ferror(reader->file)))
         return text_fail_errno(reader->path, "cannot be read", reader->error);
-    if (fread(signature, 1, sizeof signature, reader->file) != sizeof signature && ferror(reader->file))
-        return text_fail_errno(reader->path, "cannot be read", reader->error);
-    if (png_sig_cmp(signature, 0, sizeof signature) != 0)
-        return error_set(reader->error, ERROR_INPUT, "%s: not a PNG picture", reader->path);
+    return true;
+}
+
+static bool begin_png(Reader *reader, const unsigned char signature[8])
+{
+    if (png_sig_cmp(signature, 0, 8) != 0)
+        return error_set(reader->error, ERROR_INPUT, "%s: neither a PNG nor a PPM picture", reader->path);
     reader->png =
         png_create_read_struct_2(PNG_LIBPNG_VER_STRING, reader, on_error, on_warning, reader, on_malloc, on_free);
     if (reader->png)
@@ -124,8 +127,13 @@ static bool read_pixels(Reader *reader, Image *image)
 bool image_read(Image *image, const char *path, Error *error)
 {
     Reader reader = {.path = path, .error = error};
+    unsigned char signature[8] = {0};
     memset(image, 0, sizeof *image);
-    bool done = reader_open(&reader) && read_pixels(&reader, image);
+    bool done = open_file(&reader, signature);
+    if (done && memcmp(signature, "P6", 2) == 0 && fseek(reader.file, 2, SEEK_SET) == 0)
+        done = image_ppm_read(image, reader.file, path, error);
+    else
+        done = done && begin_png(&reader, signature) && read_pixels(&reader, image);
     if (!done)
         image_free(image);
     png_destroy_read_struct(&reader.png, &reader.info, NULL);

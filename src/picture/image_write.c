@@ -1,217 +1,113 @@
-/* Writes PNG files. Rows are gathered and compressed by ISA-L, libpng writes the chunks.
- * libpng reports an error by longjmp; here it never leaves a function of this file, and no variable that is read after
- * the jump is changed after setjmp. */
+/* Writes pictures in each format: PNG through image_png.h, PPM as the rows come, PFM through image_linear.h. */
 #include "picture/image.h"
 
 #include "base/output.h"
+#include "picture/image_linear.h"
+#include "picture/image_png.h"
 
 #include <assert.h>
 #include <errno.h>
-#include <isa-l/igzip_lib.h>
-#include <png.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Rows are compressed when there are so many bytes of them, or one row if that is longer, and written in chunks of at
- * most so many. Both are fixed: they decide where the compressor begins a block. */
-enum { ROWS_BYTES = 256 * 1024, CHUNK_BYTES = 64 * 1024 };
-
-/* Measured on our scenes as unfiltered rows at 1920x1080: level 2 takes as long as level 1 and makes files 1 to 4 %
- * smaller; a larger table gains nothing. docs/experiments.md compares it with zlib. */
-enum { LEVEL = 2, LEVEL_BYTES = ISAL_DEF_LVL2_SMALL };
-
-/* Pictures of few bytes are compressed at level 3. Levels 1 and 2 of ISA-L 2.30 compress a stream of some 300 bytes or
- * less to other bytes in about 1 of 100 runs: the result depends on the address of the compressor. */
-enum { SHORT_LEVEL = 3, SHORT_LEVEL_BYTES = ISAL_DEF_LVL3_SMALL, SHORT_BYTES = 4096 };
-
 struct ImageWriter {
     Output output;
-    png_structp png;
-    png_infop info;
-    struct isal_zstream compressor;
-    unsigned char *level_room, *rows, *chunk;
-    size_t rows_bytes, filled; /* of rows: how many are compressed at a time, and how many there are */
+    ImageKind kind;
+    PngWriter *png; /* NULL in other formats */
     int columns, rows_left;
-    int reason; /* errno of the write that failed, 0 where libpng itself complained */
-    char complaint[128];
 };
 
-/* --- What libpng calls --- */
-
-static void on_error(png_structp png, png_const_charp message)
-{
-    ImageWriter *writer = png_get_error_ptr(png);
-    snprintf(writer->complaint, sizeof writer->complaint, "%s", message);
-    png_longjmp(png, 1);
-}
-
-static void on_warning(png_structp png, png_const_charp message)
-{
-    (void)png;
-    (void)message;
-}
-
-static void on_data(png_structp png, png_bytep data, size_t size)
-{
-    ImageWriter *writer = png_get_io_ptr(png);
-    if (fwrite(data, 1, size, writer->output.file) != size) {
-        writer->reason = errno;
-        png_error(png, "write error");
-    }
-}
-
-static void on_flush(png_structp png)
-{
-    (void)png;
-}
-
-/* --- The writer --- */
-
+/* Of a call that has just failed. */
 static bool cannot_write(const ImageWriter *writer, Error *error)
 {
-    return output_failed(&writer->output, writer->reason ? strerror(writer->reason) : writer->complaint, error);
+    return output_failed(&writer->output, strerror(errno), error);
 }
 
-/* A row's first byte is its filter. */
-static size_t row_bytes(const ImageWriter *writer)
+/* Begins the picture in its file. The head of a PFM comes with its rows. */
+static bool begin(ImageWriter *writer, Error *error)
 {
-    return 1 + (size_t)writer->columns * 3;
+    int largest = writer->kind.depth == 16 ? 65535 : 255;
+    if (writer->kind.format == IMAGE_PNG) {
+        writer->png = png_writer_open(&writer->output, writer->columns, writer->rows_left, writer->kind.depth, error);
+        return writer->png != NULL;
+    }
+    return writer->kind.format == IMAGE_PFM ||
+           fprintf(writer->output.file, "P6\n%d %d\n%d\n", writer->columns, writer->rows_left, largest) > 0 ||
+           cannot_write(writer, error);
 }
 
-/* All rows together are fewer than SHORT_BYTES. Asked before the first row. */
-static bool is_short(const ImageWriter *writer)
-{
-    return row_bytes(writer) < SHORT_BYTES && row_bytes(writer) * (size_t)writer->rows_left < SHORT_BYTES;
-}
-
-static bool get_memory(ImageWriter *writer)
-{
-    size_t row = row_bytes(writer);
-    writer->rows_bytes = row < ROWS_BYTES ? ROWS_BYTES / row * row : row;
-    writer->level_room = malloc(is_short(writer) ? SHORT_LEVEL_BYTES : LEVEL_BYTES);
-    writer->rows = malloc(writer->rows_bytes);
-    writer->chunk = malloc(CHUNK_BYTES);
-    return writer->level_room && writer->rows && writer->chunk;
-}
-
-/* A zlib stream (RFC 1950), as PNG wants it. */
-static void begin_stream(ImageWriter *writer)
-{
-    struct isal_zstream *compressor = &writer->compressor;
-    isal_deflate_init(compressor);
-    compressor->level = is_short(writer) ? SHORT_LEVEL : LEVEL;
-    compressor->level_buf = writer->level_room;
-    compressor->level_buf_size = is_short(writer) ? SHORT_LEVEL_BYTES : LEVEL_BYTES;
-    compressor->gzip_flag = IGZIP_ZLIB;
-    compressor->next_out = writer->chunk;
-    compressor->avail_out = CHUNK_BYTES;
-}
-
-static ImageWriter *writer_new(int columns, int rows, Error *error)
+ImageWriter *image_writer_open_as(const char *path, ImageKind kind, int columns, int rows, Error *error)
 {
     ImageWriter *writer = calloc(1, sizeof *writer);
-    if (writer) {
-        writer->columns = columns;
-        writer->rows_left = rows;
-        writer->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, writer, on_error, on_warning);
-        if (writer->png)
-            writer->info = png_create_info_struct(writer->png);
-        if (writer->info && get_memory(writer)) {
-            begin_stream(writer);
-            return writer;
-        }
+    if (!writer) {
+        error_memory(error, "the picture's writer");
+        return NULL;
     }
+    *writer = (ImageWriter){.kind = kind, .columns = columns, .rows_left = rows};
+    if (output_open(&writer->output, path, "the picture", error) && begin(writer, error))
+        return writer;
     image_writer_abort(writer);
-    error_memory(error, "the picture's writer");
     return NULL;
-}
-
-static bool write_header(ImageWriter *writer, Error *error)
-{
-    if (setjmp(png_jmpbuf(writer->png)))
-        return cannot_write(writer, error);
-    png_set_write_fn(writer->png, writer, on_data, on_flush);
-    png_set_IHDR(writer->png, writer->info, (png_uint_32)writer->columns, (png_uint_32)writer->rows_left, 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_write_info(writer->png, writer->info);
-    return true;
 }
 
 ImageWriter *image_writer_open(const char *path, int columns, int rows, Error *error)
 {
-    ImageWriter *writer = writer_new(columns, rows, error);
-    if (!writer)
+    ImageKind kind = {.depth = 8};
+    if (!image_format_of(path, &kind.format, error))
         return NULL;
-    if (!output_open(&writer->output, path, "the picture", error) || !write_header(writer, error)) {
-        image_writer_abort(writer);
-        return NULL;
-    }
-    return writer;
-}
-
-/* What is compressed, as one chunk. */
-static bool write_chunk(ImageWriter *writer, Error *error)
-{
-    struct isal_zstream *compressor = &writer->compressor;
-    if (setjmp(png_jmpbuf(writer->png)))
-        return cannot_write(writer, error);
-    png_write_chunk(writer->png, (png_const_bytep) "IDAT", writer->chunk, CHUNK_BYTES - compressor->avail_out);
-    compressor->next_out = writer->chunk;
-    compressor->avail_out = CHUNK_BYTES;
-    return true;
-}
-
-/* Compresses the rows that were gathered; `last` ends the stream. */
-static bool compress_rows(ImageWriter *writer, bool last, Error *error)
-{
-    struct isal_zstream *compressor = &writer->compressor;
-    compressor->next_in = writer->rows;
-    compressor->avail_in = (uint32_t)writer->filled;
-    compressor->end_of_stream = last;
-    writer->filled = 0;
-    bool done = false;
-    while (!done) {
-        int status = isal_deflate(compressor);
-        assert(status == COMP_OK);
-        (void)status;
-        bool ended = compressor->internal_state.state == ZSTATE_END;
-        if ((ended || compressor->avail_out == 0) && !write_chunk(writer, error))
-            return false;
-        done = last ? ended : compressor->avail_in == 0;
-    }
-    return true;
+    if (kind.format != IMAGE_PFM)
+        return image_writer_open_as(path, kind, columns, rows, error);
+    error_set(error, ERROR_USAGE, "%s: a PFM holds linear colours, and these are of 8 bits; choose .png or .ppm", path);
+    return NULL;
 }
 
 bool image_writer_rows(ImageWriter *writer, const unsigned char *rgb, int rows, Error *error)
 {
-    size_t row = row_bytes(writer);
-    assert(rows <= writer->rows_left);
-    for (; rows > 0; rows--, rgb += row - 1) {
-        /* Flat faces without texture repeat the same bytes in row after row, which are found unfiltered. Filter Up
-         * takes as long and makes rooms up to 20 % smaller, but large cities 50 % larger. */
-        writer->rows[writer->filled] = PNG_FILTER_VALUE_NONE;
-        memcpy(writer->rows + writer->filled + 1, rgb, row - 1);
-        writer->filled += row;
-        bool last = --writer->rows_left == 0;
-        if ((last || writer->filled == writer->rows_bytes) && !compress_rows(writer, last, error))
-            return false;
-    }
-    return true;
+    size_t bytes = (size_t)writer->columns * (size_t)rows * (writer->kind.depth == 16 ? 6 : 3);
+    assert(rows <= writer->rows_left && writer->kind.format != IMAGE_PFM);
+    writer->rows_left -= rows;
+    if (writer->kind.format == IMAGE_PNG)
+        return png_writer_rows(writer->png, rgb, rows, error);
+    return fwrite(rgb, 1, bytes, writer->output.file) == bytes || cannot_write(writer, error);
 }
 
-static bool write_end(ImageWriter *writer, Error *error)
+static bool write_16_bits(ImageWriter *writer, const double *rgb, Error *error)
 {
-    if (setjmp(png_jmpbuf(writer->png)))
-        return cannot_write(writer, error);
-    if (writer->rows_left > 0)
-        png_error(writer->png, "rows are missing");
-    png_write_chunk(writer->png, (png_const_bytep) "IEND", NULL, 0);
-    return true;
+    size_t values = (size_t)writer->columns * 3;
+    unsigned char *row = malloc(2 * values);
+    bool good = row || error_memory(error, "a row of the picture");
+    for (int left = writer->rows_left; good && left > 0; left--, rgb += values) {
+        for (size_t i = 0; i < values; i++) {
+            unsigned value = image_to_16_bits(rgb[i]);
+            row[2 * i] = (unsigned char)(value >> 8);
+            row[2 * i + 1] = (unsigned char)value;
+        }
+        good = image_writer_rows(writer, row, 1, error);
+    }
+    free(row);
+    return good;
+}
+
+bool image_writer_linear(ImageWriter *writer, const double *rgb, Error *error)
+{
+    assert(writer->kind.format == IMAGE_PFM || writer->kind.depth == 16);
+    if (writer->kind.format != IMAGE_PFM)
+        return write_16_bits(writer, rgb, error);
+    int rows = writer->rows_left;
+    writer->rows_left = 0;
+    return image_linear_write(writer->output.file, rgb, writer->columns, rows) || cannot_write(writer, error);
+}
+
+static bool end(ImageWriter *writer, Error *error)
+{
+    if (writer->png)
+        return png_writer_end(writer->png, error);
+    return writer->rows_left == 0 || output_failed(&writer->output, "rows are missing", error);
 }
 
 bool image_writer_commit(ImageWriter *writer, Error *error)
 {
-    bool done = write_end(writer, error) && output_commit(&writer->output, error);
+    bool done = end(writer, error) && output_commit(&writer->output, error);
     image_writer_abort(writer);
     return done;
 }
@@ -221,10 +117,7 @@ void image_writer_abort(ImageWriter *writer)
     if (!writer)
         return;
     output_abort(&writer->output);
-    free(writer->level_room);
-    free(writer->rows);
-    free(writer->chunk);
-    png_destroy_write_struct(&writer->png, &writer->info);
+    png_writer_free(writer->png);
     free(writer);
 }
 

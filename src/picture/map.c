@@ -130,11 +130,16 @@ static MapScale colour_values(Map *map, size_t count, MapScale given)
     return scale;
 }
 
+bool map_has_scale(MapKind kind)
+{
+    return kind != MAP_NORMAL && kind != MAP_FACE;
+}
+
 bool map_draw(Image *image, const Scene *scene, MapKind kind, AccelKind accel_kind, int threads, MapScale *scale,
               Error *error)
 {
     size_t count = (size_t)scene->screen.columns * (size_t)scene->screen.rows;
-    bool colours = kind == MAP_NORMAL || kind == MAP_FACE;
+    bool colours = !map_has_scale(kind);
     *image = (Image){scene->screen.columns, scene->screen.rows, calloc(count, 3)};
     Map map = {
         .scene = scene, .kind = kind, .rgb = image->rgb, .values = colours ? NULL : calloc(count, sizeof(float))};

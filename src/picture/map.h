@@ -13,6 +13,9 @@ typedef struct MapScale {
     double low, high;
 } MapScale;
 
+/* Whether its colours run between two numbers: all but normals and faces. */
+bool map_has_scale(MapKind kind);
+
 /* Draws the map of the scene, by the scale that is given, or, where its high is 0, by that of its own values, which it
  * then receives, on `threads` threads (0: one per processor). The caller frees the image, also after a
  * failure, which is want of memory. */
