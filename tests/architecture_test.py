@@ -102,7 +102,10 @@ def declared(header):
 
 
 # Words that formulas begin with: they are the book's, not the file's.
-FORMULAS = {"scene/geometry.h": {"plane", "point"}, "scene/light.h": {"illuminate", "colour"}}
+FORMULAS = {"scene/geometry.h": {"plane", "point"}, "scene/light.h": {"illuminate", "colour"},
+            "trace/textbook_real.h": {"rounded", "doubles", "add", "subtract", "scale", "divide", "multiply", "dot",
+                                      "cross", "unit", "at", "vertex"},
+            "trace/textbook_record.h": {"record", "test", "end"}}
 
 
 class Names(unittest.TestCase):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What `rectray trace` prints, kept as text, so that a change in its wording shows in review: tests/golden/*.txt, and
 docs/walkthrough.md, a chapter around such output. Both begin with the command that printed them. docs/rounding.md has
-the whole output of each block of commands, and the pictures that they make.
+the whole output of each block of commands, or some of its steps, and the pictures that they make.
 
     python3 tests/golden_test.py --renew (make golden) writes them anew; the difference is then git's to show.
 
@@ -104,8 +104,15 @@ def lessons(folder):
     os.symlink(os.path.abspath("scenes"), os.path.join(folder, "scenes"))
     pictures = {}
 
+    def steps_of(out, shown):
+        """Of a block that begins with a step, the steps that it shows."""
+        headings = re.findall(r"(?m)^Step \d+", shown) if shown.startswith("Step ") else []
+        parts = parts_of(out)
+        return "\n\n".join(next(parts[line] for line in parts if line.startswith(f"{heading}. "))
+                           for heading in headings) or out
+
     def renewed(match):
-        out = run_lines(match.group(1), folder)
+        out = steps_of(run_lines(match.group(1), folder), match.group(2))
         if "--heatmap apart.png" in match.group(1):
             lesson = re.search(r"scenes/lessons/(\w+)\.json", match.group(1)).group(1)
             for name in ("textbook", "exact", "apart"):
@@ -114,7 +121,7 @@ def lessons(folder):
                 shutil.copy(os.path.join(folder, f"{name}.png"), pictures[path])
         return f"```console\n{match.group(1)}```\n\n```text\n{out.rstrip()}\n```\n"
 
-    text = re.sub(r"^```console\n(.*?)^```\n\n```text\n.*?^```\n", renewed, read(LESSONS), flags=re.M | re.S)
+    text = re.sub(r"^```console\n(.*?)^```\n\n```text\n(.*?)^```\n", renewed, read(LESSONS), flags=re.M | re.S)
     return text, pictures
 
 
@@ -186,7 +193,7 @@ class Lessons(unittest.TestCase):
     def test_every_lesson_has_its_pixel_its_cure_and_a_proof(self):
         for lesson in re.findall(r"(?ms)^## \d\. (.*?)(?=^## )", self.text):
             with self.subTest(lesson.split("\n")[0]):
-                self.assertIn("Here the two part.", lesson)
+                self.assertRegex(lesson, r"(?m)^    They part at P\d, .*\n    textbook: (?s:.)*?;\n    exactly: ")
                 self.assertRegex(lesson, r"\*\*The cure\.\*\*(?s:.)*\]\(bounds\.md#[\w-]+\)")
 
     def test_every_number_of_the_prose_is_printed_or_in_a_scene(self):

@@ -3,6 +3,7 @@
  * is tested without a word here. */
 #include "reader/scene_json.h"
 #include "scene/geometry.h"
+#include "trace/reference.h"
 #include "trace/textbook.h"
 
 #include "support/plain_picture.h"
@@ -112,8 +113,14 @@ static Scene square_scene(void)
 static void assert_hit(const Scene *scene, double expected, Vec3 origin, Vec3 direction)
 {
     const Textbook textbook = {.scene = scene};
-    TEST_ASSERT_EQUAL_DOUBLE(expected, textbook_hit(&textbook, 0, origin, direction));
-    TEST_ASSERT_EQUAL_DOUBLE(expected, textbook_hit_float(&textbook, 0, origin, direction));
+    Ray ray = {origin, direction};
+    TextbookTest found[] = {textbook_test(&textbook, 0, ray), textbook_test_float(&textbook, 0, ray)};
+    for (int i = 0; i < 2; i++) {
+        TEST_ASSERT_EQUAL(expected > 0, found[i].hit);
+        TEST_ASSERT_EQUAL(expected > 0, found[i].test.verdict == FACE_INSIDE);
+        if (expected > 0)
+            TEST_ASSERT_EQUAL_DOUBLE(expected, found[i].test.t);
+    }
 }
 
 static void textbook_hit_should_follow_the_steps(void)
@@ -140,14 +147,136 @@ static void textbook_points_should_be_shifted_to_the_ray_s_side(void)
 {
     Scene scene = square_scene();
     const Textbook textbook = {.scene = &scene, .shift = 0.25f};
-    Vec3 point, shifted;
-    textbook_points(&textbook, 0, vec3(0.5, 0, 5), vec3(0, 0, -2), 2, &point, &shifted);
-    TEST_ASSERT_EQUAL_DOUBLE(1, point.z);
-    TEST_ASSERT_EQUAL_DOUBLE(1.25, shifted.z);
-    textbook_points_float(&textbook, 0, vec3(0.5, 0, -1), vec3(0, 0, 2), 1, &point, &shifted);
-    TEST_ASSERT_EQUAL_DOUBLE(0.5, shifted.x);
-    TEST_ASSERT_EQUAL_DOUBLE(0.75, shifted.z);
+    TextbookTest from_above = textbook_test(&textbook, 0, (Ray){vec3(0.5, 0, 5), vec3(0, 0, -2)});
+    TEST_ASSERT_EQUAL_DOUBLE(1, from_above.point.z);
+    TEST_ASSERT_EQUAL_DOUBLE(1.25, from_above.shifted.z);
+    TextbookTest from_below = textbook_test_float(&textbook, 0, (Ray){vec3(0.5, 0, -1), vec3(0, 0, 2)});
+    TEST_ASSERT_EQUAL_DOUBLE(0.5, from_below.shifted.x);
+    TEST_ASSERT_EQUAL_DOUBLE(0.75, from_below.shifted.z);
     scene_free(&scene);
+}
+
+static void textbook_test_should_say_why_a_face_is_not_hit(void)
+{
+    Scene scene = square_scene();
+    const Textbook textbook = {.scene = &scene};
+    TextbookTest missed = textbook_test(&textbook, 0, (Ray){vec3(1.5, 0, 5), vec3(0, 0, -1)});
+    TEST_ASSERT_EQUAL(FACE_OUTSIDE, missed.test.verdict);
+    TEST_ASSERT_EQUAL(1, missed.test.outside_edge);
+    TEST_ASSERT_EQUAL_DOUBLE(-1, missed.test.edge_value[1]);
+    TEST_ASSERT_EQUAL(FACE_PARALLEL, textbook_test(&textbook, 0, (Ray){vec3(0, 0, 5), vec3(1, 0, 0)}).test.verdict);
+    TEST_ASSERT_EQUAL(FACE_BEHIND, textbook_test(&textbook, 0, (Ray){vec3(0, 0, 5), vec3(0, 0, 1)}).test.verdict);
+    scene.faces[0].one_sided = 1;
+    TEST_ASSERT_EQUAL(FACE_BACK, textbook_test(&textbook, 0, (Ray){vec3(0, 0, -5), vec3(0, 0, 1)}).test.verdict);
+    scene_free(&scene);
+}
+
+/* --- What it tells --- */
+
+typedef struct Told {
+    Event events[64];
+    int count;
+} Told;
+
+static void keep(void *user, const Event *event)
+{
+    Told *told = user;
+    if (event->kind != EVENT_FACE && event->kind != EVENT_OCCLUDER)
+        told->events[told->count++] = *event;
+}
+
+static void assert_near(Vec3 expected, Vec3 found)
+{
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, expected.x, found.x);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, expected.y, found.y);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, expected.z, found.z);
+}
+
+static void assert_same_event(const Event *expected, const Event *found)
+{
+    switch (expected->kind) {
+    case EVENT_SAMPLE:
+        assert_near(expected->as.sample.q, found->as.sample.q);
+        assert_near(expected->as.sample.r, found->as.sample.r);
+        break;
+    case EVENT_HIT:
+        TEST_ASSERT_EQUAL(expected->as.hit.face, found->as.hit.face);
+        TEST_ASSERT_EQUAL(expected->as.hit.step, found->as.hit.step);
+        TEST_ASSERT_EQUAL_MEMORY(expected->as.hit.test.edge_sign, found->as.hit.test.edge_sign, 4 * sizeof(int));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-4, expected->as.hit.test.n_dot_o_plus_d, found->as.hit.test.n_dot_o_plus_d);
+        assert_near(expected->as.hit.point, found->as.hit.point);
+        assert_near(expected->as.hit.normal, found->as.hit.normal);
+        break;
+    case EVENT_LIGHT:
+        TEST_ASSERT_EQUAL(expected->as.light.side, found->as.light.side);
+        assert_near(expected->as.light.l, found->as.light.l);
+        break;
+    case EVENT_LIGHT_END:
+        TEST_ASSERT_EQUAL(expected->as.light_end.verdict, found->as.light_end.verdict);
+        TEST_ASSERT_EQUAL(expected->as.light_end.blocker, found->as.light_end.blocker);
+        break;
+    case EVENT_TERMS:
+        TEST_ASSERT_EQUAL(expected->as.terms.ambient_only, found->as.terms.ambient_only);
+        assert_near(expected->as.terms.illumination.h, found->as.terms.illumination.h);
+        assert_near(expected->as.terms.illumination.diffuse, found->as.terms.illumination.diffuse);
+        assert_near(expected->as.terms.illumination.specular, found->as.terms.illumination.specular);
+        assert_near(expected->as.terms.sum, found->as.terms.sum);
+        break;
+    case EVENT_SHADED:
+        TEST_ASSERT_EQUAL(expected->as.shaded.lights_reaching, found->as.shaded.lights_reaching);
+        assert_near(expected->as.shaded.contribution, found->as.shaded.contribution);
+        assert_near(expected->as.shaded.total, found->as.shaded.total);
+        break;
+    case EVENT_REFLECTED:
+        TEST_ASSERT_EQUAL(expected->as.reflected.bounce, found->as.reflected.bounce);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, expected->as.reflected.weight, found->as.reflected.weight);
+        assert_near(expected->as.reflected.direction, found->as.reflected.direction);
+        assert_near(expected->as.reflected.origin, found->as.reflected.origin);
+        break;
+    case EVENT_MISS:
+        assert_near(expected->as.miss.weight_times_background, found->as.miss.weight_times_background);
+        break;
+    case EVENT_PATH_END:
+        TEST_ASSERT_EQUAL(expected->as.path_end.reason, found->as.path_end.reason);
+        assert_near(expected->as.path_end.colour, found->as.path_end.colour);
+        break;
+    default:
+        TEST_ASSERT_EQUAL_MEMORY(expected->as.pixel.rgb, found->as.pixel.rgb, 3);
+        TEST_ASSERT_EQUAL(expected->as.pixel.samples, found->as.pixel.samples);
+    }
+}
+
+/* Where rounding decides nothing the textbook tells what the reference tells: paths that end in all four ways. */
+static void textbook_should_tell_the_events_of_the_reference(void)
+{
+    static const struct {
+        const char *scene;
+        int column, row, bounces;
+    } paths[] = {{"scenes/original.json", 40, 36, 13},      {"scenes/original.json", 40, 36, 1},
+                 {"scenes/lessons/acne.json", 95, 151, 13}, {"scenes/lessons/leak.json", 160, 120, 13},
+                 {"scenes/original.json", 50, 50, 13},      {"tests/scenes/shadow_black.json", 4, 3, 13},
+                 {"tests/scenes/viewer_ray.json", 4, 3, 13}};
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+        Scene scene;
+        Error error = {0};
+        TEST_ASSERT_TRUE_MESSAGE(scene_load(&scene, paths[i].scene, &error), error.text);
+        scene.shading.max_bounces = paths[i].bounces;
+        scene.grid = 1;
+        RenderReport report = {0};
+        unsigned char rgb[3];
+        Told told[2] = {{.count = 0}};
+        Recorder recorders[] = {{keep, &told[0]}, {keep, &told[1]}};
+        Tracer tracer = {.scene = &scene, .report = &report, .recorder = &recorders[0]};
+        Textbook textbook = {.scene = &scene, .shift = 1e-5f, .report = &report, .recorder = &recorders[1]};
+        reference_pixel(&tracer, paths[i].column, paths[i].row);
+        textbook_pixel(&textbook, paths[i].column, paths[i].row, rgb);
+        TEST_ASSERT_EQUAL(told[0].count, told[1].count);
+        for (int k = 0; k < told[0].count; k++) {
+            TEST_ASSERT_EQUAL(told[0].events[k].kind, told[1].events[k].kind);
+            assert_same_event(&told[0].events[k], &told[1].events[k]);
+        }
+        scene_free(&scene);
+    }
 }
 
 int main(void)
@@ -155,6 +284,8 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(textbook_hit_should_follow_the_steps);
     RUN_TEST(textbook_points_should_be_shifted_to_the_ray_s_side);
+    RUN_TEST(textbook_test_should_say_why_a_face_is_not_hit);
+    RUN_TEST(textbook_should_tell_the_events_of_the_reference);
     RUN_TEST(textbook_kernel_should_equal_the_textbook_reference_on_every_scene);
     RUN_TEST(textbook_in_double_should_say_what_the_exact_arithmetic_says_but_for_few_pixels);
     RUN_TEST(each_lesson_should_show_its_fault);

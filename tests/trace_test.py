@@ -727,9 +727,45 @@ class Rounding(CommandTest):
     def test_the_steps_have_the_numbers_of_the_exact_walkthrough(self):
         words = ("trace", os.path.join(HERE, "scenes/original.json"), "--pixel", "40,36")
         exact, textbook = (self.run_program(*words, *more)[0].decode() for more in ((), self.TEXTBOOK))
-        steps = re.findall(r"(?m)^Step .*", textbook)
-        self.assertEqual(len(steps), 5)
-        self.assertEqual([step for step in steps if step not in exact], [])
+        steps = re.findall(r"(?m)^Step \d.*", textbook)
+        self.assertEqual(len(steps), 11)
+        self.assertEqual(steps, re.findall(r"(?m)^Step \d.*", exact))
+
+    def test_every_step_has_the_textbook_s_numbers_and_the_exact_ones(self):
+        words = ("trace", os.path.join(HERE, "scenes/lessons/far.json"), "--pixel", "110,191", *self.TEXTBOOK)
+        text = self.run_program(*words, "--width", "160")[0].decode()
+        document = self.trace(words[1], 110, 191)
+        steps = dict(re.findall(r"(?ms)^Step \d+\. ([^\n,]*)(.*?)(?=^Step|\Z)", text))
+        for heading, rows in (("The primary ray", "R"), ("The nearest face along the ray", "t"),
+                              ("The nearest face along the ray", "P1'"), ("Light 0 at P1", "L0"),
+                              ("What P1 adds to the pixel", "adds"), ("The sum", "sum")):
+            with self.subTest(heading, rows=rows):
+                found, right = re.search(rf"(?m)^    {rows} +textbook  (.*)\n +exact     (.*)", steps[heading]).groups()
+                self.assertNotEqual(found, re.sub(r", \S+ apart$", "", right))
+        step = steps["The nearest face along the ray"]
+        d, distance = (float(re.search(rf"(?m)^    {name}\b.* = (\S+)$", step)[1]) for name in ("D", r"N\.O \+ D"))
+        n_dot_r = float(re.search(r"(?m)^    N\.R .* = (\S+)$", step)[1])
+        self.assertGreater(abs(d), 1000 * abs(distance)) # what is left of two large numbers
+        self.assertAlmostEqual(-distance / n_dot_r, document["textbook"]["hits"][0]["t"], delta=1e-4)
+        self.assertIn("Exactly it is (146, 140, 126).", text)
+
+    def test_the_paths_go_on_where_the_textbook_s_does(self):
+        """A light that only one of them finds decides whether a path goes on where "shadow" is "black"."""
+        with open(os.path.join(HERE, "scenes/lessons/acne.json"), encoding="utf-8") as file:
+            acne = json.load(file)
+        acne.setdefault("shading", {})["shadow"] = "black"
+        for material in acne["materials"].values():
+            material["reflection"] = 0.5
+        self.put("mirrors.json", json.dumps(acne))
+        text = self.run_program("trace", "mirrors.json", "--pixel", "9,225", *self.TEXTBOOK)[0].decode()
+        self.assertIn("The path ended here: no light reaches P1", text)
+        self.assertIn("Exactly the path goes on from P1.", text)
+
+    def test_verbose_lists_every_face_that_the_textbook_tests(self):
+        words = ("trace", os.path.join(HERE, "scenes/lessons/acne.json"), "--pixel", "9,225", *self.TEXTBOOK)
+        short, long = (self.run_program(*words, *more)[0].decode() for more in ((), ("--verbose",)))
+        rows = re.compile(r"(?m)^ +\d+  \S.*(?:behind|outside edge \d|nearest|in the way)$")
+        self.assertEqual([len(rows.findall(text)) for text in (short, long)], [2, 8])
 
     def test_several_pixels_are_told_one_after_another(self):
         words = ("trace", "scene.json", *self.TEXTBOOK)
@@ -761,9 +797,8 @@ class Rounding(CommandTest):
             self.assertIn(message, err)
         _, err = self.run_program("trace", "scene.json", "--pixel", "4,3", "--shift", "1", status=2)
         self.assertIn("--shift needs --arithmetic textbook", err)
-        for words in (("--precision", "double"), (*self.TEXTBOOK, "--verbose")):
-            _, err = self.run_program("trace", "scene.json", "--pixel", "4,3", *words)
-            self.assertIn("note: --", err)
+        _, err = self.run_program("trace", "scene.json", "--pixel", "4,3", "--precision", "double")
+        self.assertIn("note: --precision does nothing", err)
 
 
 class Mistakes(CommandTest):

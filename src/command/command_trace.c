@@ -188,8 +188,6 @@ static void note_unused(const Options *options)
         fprintf(stderr, "rectray: note: --verbose does nothing with --format %s\n", format);
     if (options->summary && (options->format == WALKTHROUGH_OBJ || options->format == WALKTHROUGH_SVG))
         fprintf(stderr, "rectray: note: --summary does nothing with --format %s\n", format);
-    if (options->verbose && options->settings.arithmetic == ARITHMETIC_TEXTBOOK)
-        fprintf(stderr, "rectray: note: --verbose does nothing with --arithmetic textbook\n");
     if (options->precision_given && options->settings.arithmetic == ARITHMETIC_EXACT)
         fprintf(stderr, "rectray: note: --precision does nothing without --arithmetic textbook; all is in double\n");
 }

@@ -43,59 +43,9 @@ static double height_above(const Scene *scene, int face, Vec3 normal, Vec3 point
     return side * turned * fabs(height);
 }
 
-/* --- The textbook's --- */
+/* --- From the events --- */
 
-static LightVerdict verdict_of(const TextbookEvent *event)
-{
-    if (!(event->height > 0))
-        return LIGHT_BEHIND_FACE;
-    return event->blocker < 0 ? LIGHT_REACHES : LIGHT_BLOCKED;
-}
-
-static void tell(void *user, const TextbookEvent *event)
-{
-    Rounding *rounding = user;
-    const Scene *scene = rounding->walk->scene;
-    if (event->kind == TEXTBOOK_LIGHT) {
-        add_light(&rounding->textbook,
-                  (RoundingLight){verdict_of(event), event->blocker, event->height, {event->origin, event->direction}});
-        return;
-    }
-    RoundingHit hit = {.ray = {event->origin, event->direction}, .face = -1};
-    if (event->kind == TEXTBOOK_HIT) {
-        hit.face = event->face;
-        hit.t = event->t;
-        hit.point = event->point;
-        hit.shifted = event->shifted;
-        hit.above = height_above(scene, event->face, event->normal, event->shifted);
-    }
-    add_hit(&rounding->textbook, scene, hit);
-}
-
-static void trace_textbook(Rounding *rounding)
-{
-    const WalkthroughRequest *at = &rounding->walk->request;
-    RenderReport report = {0};
-    Textbook textbook = {.scene = rounding->walk->scene, .shift = rounding->shift, .report = &report};
-    bool single = rounding->precision == PRECISION_FLOAT;
-    RoundingPath *path = &rounding->textbook;
-    (single ? textbook_pixel_float : textbook_pixel)(&textbook, at->column, at->row, path->rgb);
-    TextbookListener listener = {tell, rounding};
-    textbook.listener = &listener;
-    path->colour = (single ? textbook_sample_float : textbook_sample)(&textbook, at->column, at->row, at->i, at->j);
-}
-
-TextbookTest rounding_textbook_test(const Rounding *rounding, int face, Ray ray, bool *hit)
-{
-    Textbook textbook = {.scene = rounding->walk->scene, .shift = rounding->shift};
-    bool single = rounding->precision == PRECISION_FLOAT;
-    *hit = (single ? textbook_hit_float : textbook_hit)(&textbook, face, ray.origin, ray.direction) > 0;
-    return (single ? textbook_test_float : textbook_test)(&textbook, face, ray.origin, ray.direction);
-}
-
-/* --- The exact one, from the events --- */
-
-static RoundingHit exact_hit(const Scene *scene, const WalkthroughPlace *place, const Event *event)
+static RoundingHit hit_of(const Scene *scene, const WalkthroughPlace *place, const Event *event)
 {
     return (RoundingHit){
         .ray = place->ray,
@@ -107,10 +57,20 @@ static RoundingHit exact_hit(const Scene *scene, const WalkthroughPlace *place, 
     };
 }
 
-static void read_exact(Rounding *rounding)
+static RoundingLight light_of(const WalkthroughPlace *place, const Event *event)
 {
-    const Walkthrough *walk = rounding->walk;
-    RoundingPath *path = &rounding->exact;
+    const Event *light = place->light;
+    Vec3 from = light->as.light.shadow_origin;
+    return (RoundingLight){
+        .verdict = event->as.light_end.verdict,
+        .blocker = event->as.light_end.blocker,
+        .height = light->as.light.height,
+        .ray = {from, vec3_sub(light->as.light.position, from)},
+    };
+}
+
+static void read_path(RoundingPath *path, const Walkthrough *walk)
+{
     WalkthroughPlace place = {0};
     for (long i = 0; i < walk->count; i++) {
         const Event *event = &walk->events[i];
@@ -120,16 +80,48 @@ static void read_exact(Rounding *rounding)
         if (!place.told)
             continue;
         if (event->kind == EVENT_HIT)
-            add_hit(path, walk->scene, exact_hit(walk->scene, &place, event));
+            add_hit(path, walk->scene, hit_of(walk->scene, &place, event));
         else if (event->kind == EVENT_MISS)
             add_hit(path, walk->scene, (RoundingHit){.ray = place.ray, .face = -1});
         else if (event->kind == EVENT_LIGHT_END)
-            add_light(path, (RoundingLight){.verdict = event->as.light_end.verdict,
-                                            .blocker = event->as.light_end.blocker,
-                                            .height = place.light->as.light.height});
+            add_light(path, light_of(&place, event));
         else if (event->kind == EVENT_PATH_END)
             path->colour = event->as.path_end.colour;
     }
+}
+
+/* --- The textbook's walkthrough --- */
+
+static Textbook textbook_of(const Rounding *rounding)
+{
+    return (Textbook){.scene = rounding->walk->scene, .shift = rounding->shift};
+}
+
+static bool tell_textbook(Rounding *rounding, Error *error)
+{
+    const Walkthrough *walk = rounding->walk;
+    RenderReport report = {0};
+    unsigned char rgb[3];
+    Textbook textbook = textbook_of(rounding);
+    Recorder recorder = walkthrough_recorder(&rounding->told);
+    walkthrough_begin(&rounding->told, walk->scene, walk->scene_name, walk->request);
+    textbook.report = &report;
+    textbook.recorder = &recorder;
+    (rounding->precision == PRECISION_FLOAT ? textbook_pixel_float : textbook_pixel)(&textbook, walk->request.column,
+                                                                                     walk->request.row, rgb);
+    return !rounding->told.failed || error_memory(error, "the walkthrough");
+}
+
+FaceTest rounding_textbook_test(const Rounding *rounding, int face, Ray ray)
+{
+    Textbook textbook = textbook_of(rounding);
+    return (rounding->precision == PRECISION_FLOAT ? textbook_test_float : textbook_test)(&textbook, face, ray).test;
+}
+
+/* Of a ray from the origin N.O + D = D. */
+double rounding_textbook_d(const Rounding *rounding, int face)
+{
+    return rounding_textbook_test(rounding, face, (Ray){{0, 0, 0}, {1, 0, 0}}).n_dot_o_plus_d;
 }
 
 bool rounding_make(Rounding *rounding, const Walkthrough *walk, const RenderSettings *settings, Error *error)
@@ -140,8 +132,10 @@ bool rounding_make(Rounding *rounding, const Walkthrough *walk, const RenderSett
         return error_set(error, ERROR_USAGE, "textbook arithmetic has no adaptive sampling; use --sampling uniform:N");
     if (!path_new(&rounding->textbook, scene) || !path_new(&rounding->exact, scene))
         return error_memory(error, "the walkthrough");
-    read_exact(rounding);
-    trace_textbook(rounding);
+    if (!tell_textbook(rounding, error))
+        return false;
+    read_path(&rounding->textbook, &rounding->told);
+    read_path(&rounding->exact, walk);
     return true;
 }
 
@@ -149,6 +143,7 @@ void rounding_free(Rounding *rounding)
 {
     path_free(&rounding->textbook);
     path_free(&rounding->exact);
+    walkthrough_free(&rounding->told);
     *rounding = (Rounding){0};
 }
 

@@ -11,7 +11,7 @@ typedef struct RoundingLight {
     LightVerdict verdict;
     int blocker;   /* a face, of LIGHT_BLOCKED; else -1 */
     double height; /* of the light over the face, on the ray's side, as it was computed */
-    Ray ray;       /* textbook: the shadow ray */
+    Ray ray;       /* the shadow ray */
 } RoundingLight;
 
 typedef struct RoundingHit {
@@ -33,10 +33,11 @@ typedef struct RoundingPath {
 } RoundingPath;
 
 typedef struct Rounding {
-    const Walkthrough *walk; /* borrowed */
+    const Walkthrough *walk; /* the exact one, borrowed */
+    Walkthrough told;        /* the textbook's */
     Precision precision;
     float shift;
-    RoundingPath textbook, exact;
+    RoundingPath textbook, exact; /* what both say, in short */
 } Rounding;
 
 /* Where the two part: at hit k, from 0, or at one of its lights. */
@@ -56,10 +57,14 @@ RoundingPart rounding_part(const Rounding *rounding);
 bool rounding_same_face(const Rounding *rounding, int k);
 bool rounding_same_verdict(const Rounding *rounding, int k, int light);
 
-/* The numbers by which textbook arithmetic decides whether a ray hits a face. *hit says which way it decides. */
-TextbookTest rounding_textbook_test(const Rounding *rounding, int face, Ray ray, bool *hit);
+/* The numbers by which textbook arithmetic decides whether a ray hits a face. */
+FaceTest rounding_textbook_test(const Rounding *rounding, int face, Ray ray);
 
-/* The text: bytes, where they part and why; then, unless style.parts is WALKTHROUGH_SUMMARY, every step. */
+/* The D of the face's plane in textbook arithmetic. */
+double rounding_textbook_d(const Rounding *rounding, int face);
+
+/* The text: bytes, where they part and why; then, unless style.parts is WALKTHROUGH_SUMMARY, the walkthrough with the
+ * textbook's numbers, and at each step what is exactly so. */
 void rounding_write_text(FILE *out, const Rounding *rounding, WalkthroughStyle style);
 
 /* The same as JSON. Fails only for want of memory. */

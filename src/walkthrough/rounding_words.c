@@ -18,19 +18,20 @@ InkText rounding_face(const Rounding *rounding, int face)
 /* --- Another face --- */
 
 /* Why textbook arithmetic finds that the ray does not hit the face. */
-static InkText why_not_hit(const Rounding *rounding, int face, const TextbookTest *test)
+static InkText why_not_hit(const Rounding *rounding, int face, const FaceTest *test)
 {
-    int vertices = rounding->walk->scene->faces[face].vertex_count;
     InkText name = rounding_face(rounding, face);
-    if (test->n_dot_r == 0)
+    switch (test->verdict) {
+    case FACE_PARALLEL:
         return ink_text("the ray is parallel to %s: N.R = 0", name.text);
-    if (!(test->t > 0))
+    case FACE_BEHIND:
         return ink_text("%s is behind the ray: t = %s", name.text, ink_number(test->t, 3).text);
-    for (int k = 0; k < vertices; k++)
-        if (test->edge_value[k] < 0)
-            return ink_text("%s is missed, outside its edge %d: N.(e x c) = %s", name.text, k,
-                            ink_number(test->edge_value[k], 3).text);
-    return ink_text("%s is seen from behind", name.text);
+    case FACE_OUTSIDE:
+        return ink_text("%s is missed, outside its edge %d: N.(e x c) = %s", name.text, test->outside_edge,
+                        ink_number(test->edge_value[test->outside_edge], 3).text);
+    default:
+        return ink_text("%s is seen from behind", name.text);
+    }
 }
 
 static InkText textbook_face(const Rounding *rounding, int k)
@@ -41,9 +42,8 @@ static InkText textbook_face(const Rounding *rounding, int k)
                                       : ink_text("%s is hit at t = %s", name.text, ink_number(found->t, 3).text);
     if (right->face < 0)
         return outcome;
-    bool hit;
-    TextbookTest test = rounding_textbook_test(rounding, right->face, found->ray, &hit);
-    if (hit)
+    FaceTest test = rounding_textbook_test(rounding, right->face, found->ray);
+    if (test.verdict == FACE_INSIDE)
         return ink_text("%s, before %s at t = %s", outcome.text, rounding_face(rounding, right->face).text,
                         ink_number(test.t, 3).text);
     return ink_text("%s, and %s", why_not_hit(rounding, right->face, &test).text, outcome.text);
@@ -78,14 +78,13 @@ static InkText edge_words(const Rounding *rounding, int k)
 {
     const Scene *scene = rounding->walk->scene;
     const RoundingHit *hit = &rounding->exact.hits[k];
-    bool found;
-    TextbookTest textbook = rounding_textbook_test(rounding, hit->face, rounding->textbook.hits[k].ray, &found);
+    FaceTest textbook = rounding_textbook_test(rounding, hit->face, rounding->textbook.hits[k].ray);
     FaceTest test = face_test(&scene->faces[hit->face], &scene->planes[hit->face], hit->ray, HUGE_VAL, true);
-    for (int edge = 0; edge < test.edges && !found; edge++)
-        if (textbook.edge_value[edge] < 0)
-            return ink_text(": N.(e x c) = %s at edge %d%s", ink_number(test.edge_value[edge], 3).text, edge,
-                            test.edge_sign[edge] == 0 ? ", which belongs to it" : "");
-    return ink_text("%s", "");
+    int edge = textbook.outside_edge;
+    if (edge < 0 || edge >= test.edges)
+        return ink_text("%s", "");
+    return ink_text(": N.(e x c) = %s at edge %d%s", ink_number(test.edge_value[edge], 3).text, edge,
+                    test.edge_sign[edge] == 0 ? ", which belongs to it" : "");
 }
 
 static InkText exact_face(const Rounding *rounding, int k)
@@ -104,8 +103,7 @@ static InkText exact_face(const Rounding *rounding, int k)
 /* Only textbook arithmetic tests the face that the shadow ray leaves. */
 static InkText own_face_words(const Rounding *rounding, const RoundingLight *light, InkText place)
 {
-    bool hit;
-    TextbookTest test = rounding_textbook_test(rounding, light->blocker, light->ray, &hit);
+    FaceTest test = rounding_textbook_test(rounding, light->blocker, light->ray);
     return ink_text("%s and is blocked by its own face, at t = %s of the shadow ray", place.text,
                     ink_number(test.t, 3).text);
 }

@@ -153,13 +153,23 @@ static void record(void *user, const Event *event)
     append(walk, event);
 }
 
-bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *accel, const char *scene_name,
-                        WalkthroughRequest request, Error *error)
+void walkthrough_begin(Walkthrough *walk, const Scene *scene, const char *scene_name, WalkthroughRequest request)
 {
     *walk =
         (Walkthrough){.scene = scene, .scene_name = scene_name, .request = request, .grid = scene->grid, .tally = -1};
+}
+
+Recorder walkthrough_recorder(Walkthrough *walk)
+{
+    return (Recorder){record, walk};
+}
+
+bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *accel, const char *scene_name,
+                        WalkthroughRequest request, Error *error)
+{
+    walkthrough_begin(walk, scene, scene_name, request);
     RenderReport report = {0};
-    Recorder recorder = {record, walk};
+    Recorder recorder = walkthrough_recorder(walk);
     Tracer tracer = {.scene = scene, .accel = accel, .report = &report, .recorder = &recorder};
     reference_pixel(&tracer, request.column, request.row);
     if (walk->failed)

@@ -53,6 +53,10 @@ typedef struct Walkthrough {
 bool walkthrough_record(Walkthrough *walk, const Scene *scene, const Accel *accel, const char *scene_name,
                         WalkthroughRequest request, Error *error);
 
+/* The same for another tracer: an empty walkthrough, and who is to be told the events. */
+void walkthrough_begin(Walkthrough *walk, const Scene *scene, const char *scene_name, WalkthroughRequest request);
+Recorder walkthrough_recorder(Walkthrough *walk);
+
 /* Traces the pixels around the one that was recorded. A failure is want of memory. */
 bool walkthrough_look_around(Walkthrough *walk, Error *error);
 

@@ -1,7 +1,7 @@
 /* The walkthrough as text: a worked example, step by step: the formula, the formula with the numbers in it, the result.
  * Here is its frame: the primary ray, the mirrors, the sum. The events come in the order in which things happened,
  * so each case prints one step, or a part of one. */
-#include "walkthrough/walkthrough_formats.h"
+#include "walkthrough/walkthrough_text.h"
 
 #include "walkthrough/walkthrough_summary.h"
 #include "walkthrough/walkthrough_text_head.h"
@@ -10,15 +10,6 @@
 #include "walkthrough/walkthrough_text_node.h"
 #include "walkthrough/walkthrough_text_search.h"
 #include "walkthrough/walkthrough_text_sum.h"
-
-/* Six digits, and as many more as the scene is farther from the origin than it is large. */
-static int place_digits(const Scene *scene)
-{
-    Vec3 c = scene->centre;
-    double far = vec3_largest(c), size = walkthrough_scene_size(scene);
-    int more = size > 0 && far > size ? (int)ceil(log10(far / size)) : 0;
-    return more > 9 ? 15 : INK_DIGITS + more;
-}
 
 static void print_sample(WalkthroughText *text, const Event *event)
 {
@@ -98,8 +89,9 @@ static void print_miss(WalkthroughText *text, const Event *event)
              ink_vector(event->as.miss.background, 6).text, ink_vector(event->as.miss.weight_times_background, 6).text);
 }
 
-static void print_next_face(WalkthroughText *text, int number)
+static void print_next_face(WalkthroughText *text)
 {
+    int number = walkthrough_hit_number(&text->place) + 1;
     InkText title = number == 1 ? ink_text("The nearest face along the ray")
                                 : ink_text("The nearest face in the mirror at P%d", number - 1);
     walkthrough_text_step(text, STEP_NEAREST, title.text);
@@ -114,13 +106,13 @@ static void print_next_face(WalkthroughText *text, int number)
 
 /* --- The list --- */
 
-static void print_event(WalkthroughText *text, const Event *event)
+void walkthrough_text_event(WalkthroughText *text, const Event *event)
 {
     switch (event->kind) {
     case EVENT_ADAPTIVE: /* told at the head */
         break;
     case EVENT_SAMPLE:
-        print_sample(text, event), print_next_face(text, 1);
+        print_sample(text, event);
         break;
     case EVENT_TALLY:
         walkthrough_text_tally(text, event);
@@ -150,7 +142,7 @@ static void print_event(WalkthroughText *text, const Event *event)
         print_shaded(text, event);
         break;
     case EVENT_REFLECTED:
-        print_reflected(text, event), print_next_face(text, event->as.reflected.bounce + 1);
+        print_reflected(text, event);
         break;
     case EVENT_PATH_END:
         walkthrough_text_path_end(text, event);
@@ -164,6 +156,12 @@ static void print_event(WalkthroughText *text, const Event *event)
     case EVENT_KIND_COUNT:
         break;
     }
+}
+
+void walkthrough_text_search_begin(WalkthroughText *text, const Event *event)
+{
+    if (event->kind == EVENT_SAMPLE || event->kind == EVENT_REFLECTED)
+        print_next_face(text);
 }
 
 static void print_title(const Ink *ink, const Walkthrough *walk)
@@ -184,10 +182,7 @@ static bool print_summary(const Ink *ink, const Walkthrough *walk, Error *error)
 
 bool walkthrough_write_text(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
-    WalkthroughText text = {.ink = {out, style.colour, style.columns > 0 ? style.columns : INK_COLUMNS},
-                            .walk = walk,
-                            .listener = style.listener,
-                            .digits = place_digits(walk->scene)};
+    WalkthroughText text = walkthrough_text_begin(out, walk, style, INK_DIGITS);
     print_title(&text.ink, walk);
     if (style.parts != WALKTHROUGH_STEPS && !print_summary(&text.ink, walk, error))
         return false;
@@ -197,7 +192,9 @@ bool walkthrough_write_text(FILE *out, const Walkthrough *walk, WalkthroughStyle
     for (long i = 0; i < walk->count; i++) {
         walkthrough_follow(&text.place, walk, &walk->events[i]);
         if (text.place.told || walk->events[i].kind == EVENT_PIXEL)
-            print_event(&text, &walk->events[i]);
+            walkthrough_text_event(&text, &walk->events[i]);
+        if (text.place.told)
+            walkthrough_text_search_begin(&text, &walk->events[i]);
     }
     return true;
 }

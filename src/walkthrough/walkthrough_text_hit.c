@@ -38,18 +38,36 @@ static void print_normal(const WalkthroughText *text, const Event *event)
     fputc('\n', ink->out);
 }
 
+/* N.O + D as it is computed: exactly, or with the D of the textbook. */
+static void print_distance(const WalkthroughText *text, const Event *event, InkText n)
+{
+    const Ink *ink = &text->ink;
+    const Face *face = &text->walk->scene->faces[event->as.hit.face];
+    Vec3 o = text->place.ray.origin, v0 = face_vertex(face, 0);
+    double value = event->as.hit.test.n_dot_o_plus_d;
+    if (!text->rounding) {
+        ink_line(ink, "    N.O + D = N.(O - v0)\t= %s.%s\t= %s", n.text, ink_vector(vec3_sub(o, v0), 6).text,
+                 ink_number(value, 6).text);
+        return;
+    }
+    Vec3 c = text->walk->scene->centre;
+    if (c.x != 0 || c.y != 0 || c.z != 0)
+        ink_line(ink, "    The next two with O and v0 as seen from the scene's centre:");
+    InkText d = ink_number(rounding_textbook_d(text->rounding, event->as.hit.face), text->digits);
+    ink_line(ink, "    D       = -N.v0\t= -%s.%s\t= %s", n.text, ink_vector(v0, 6).text, d.text);
+    ink_line(ink, "    N.O + D = %s.%s + (%s)\t= %s", n.text, ink_vector(o, 6).text, d.text,
+             ink_number(value, text->digits).text);
+}
+
 static void print_plane_hit(const WalkthroughText *text, const Event *event)
 {
     const Ink *ink = &text->ink;
     const Scene *scene = text->walk->scene;
     const FaceTest *test = &event->as.hit.test;
-    const Face *face = &scene->faces[event->as.hit.face];
     InkText n = ink_vector(scene->planes[event->as.hit.face].normal, 6);
     ink_line(ink, "    N.R     = %s.%s\t= %s", n.text, ink_vector(text->place.ray.direction, 6).text,
              ink_number(test->n_dot_r, 6).text);
-    ink_line(ink, "    N.O + D = N.(O - v0)\t= %s.%s\t= %s", n.text,
-             ink_vector(vec3_sub(text->place.ray.origin, face_vertex(face, 0)), 6).text,
-             ink_number(test->n_dot_o_plus_d, 6).text);
+    print_distance(text, event, n);
     ink_line(ink, "    t       = -(N.O + D) / (N.R) = -(%s) / (%s) = %s", ink_number(test->n_dot_o_plus_d, 6).text,
              ink_number(test->n_dot_r, 6).text, ink_number(test->t, 6).text);
     fputc('\n', ink->out);
@@ -124,8 +142,13 @@ static void print_shift(const WalkthroughText *text, const Event *event)
     if (event->as.hit.test.n_dot_r > 0)
         ink_paragraph(ink, "    N.R > 0, the ray came from behind: from here N is turned to its side, N = %s.",
                       ink_vector(normal, 6).text);
-    ink_paragraph(ink, "    Rays that leave start at P%d' = P%d %c %s N, which rounding cannot put behind the face.",
-                  number, number, shift < 0 ? '-' : '+', ink_number(fabs(shift), 3).text);
+    if (text->rounding)
+        ink_paragraph(ink, "    Rays that leave start at P%d' = P%d + %s N.", number, number,
+                      ink_number((double)text->rounding->shift, 6).text);
+    else
+        ink_paragraph(ink,
+                      "    Rays that leave start at P%d' = P%d %c %s N, which rounding cannot put behind the face.",
+                      number, number, shift < 0 ? '-' : '+', ink_number(fabs(shift), 3).text);
 }
 
 void walkthrough_text_hit(WalkthroughText *text, const Event *event)

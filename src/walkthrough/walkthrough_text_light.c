@@ -23,8 +23,12 @@ void walkthrough_text_light(WalkthroughText *text, const Event *event)
     fputc('\n', ink->out);
     Vec3 from_vertex = vec3_sub(event->as.light.position, face_vertex(&scene->faces[hit->as.hit.face], 0));
     const char *relation = side > 0 ? " > 0" : side < 0 ? " < 0" : "";
-    ink_line(ink, "    N.(light - v0) = %s.%s\t= %s%s", ink_vector(hit->as.hit.normal, 6).text,
-             ink_vector(from_vertex, 6).text, ink_number(event->as.light.height, 6).text, relation);
+    if (text->rounding)
+        ink_line(ink, "    N.(light - P%d) = %s.%s\t= %s%s", number, ink_vector(hit->as.hit.normal, 6).text,
+                 ink_vector(event->as.light.to_light, 6).text, ink_number(event->as.light.height, 6).text, relation);
+    else
+        ink_line(ink, "    N.(light - v0) = %s.%s\t= %s%s", ink_vector(hit->as.hit.normal, 6).text,
+                 ink_vector(from_vertex, 6).text, ink_number(event->as.light.height, 6).text, relation);
     double n_dot_l = side == 0 ? 0 : vec3_dot(hit->as.hit.normal, event->as.light.l);
     ink_line(ink, "    N.L            = %s.%s\t= %s%s", ink_vector(hit->as.hit.normal, 6).text,
              ink_vector(event->as.light.l, 6).text, ink_number(n_dot_l, 6).text, relation);

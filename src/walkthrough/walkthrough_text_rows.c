@@ -1,6 +1,26 @@
 /* What all parts of the walkthrough as text share. */
 #include "walkthrough/walkthrough_text_rows.h"
 
+#include <math.h>
+
+/* Six digits, and as many more as the scene is farther from the origin than it is large. */
+static int place_digits(const Scene *scene)
+{
+    Vec3 c = scene->centre;
+    double far = vec3_largest(c), size = walkthrough_scene_size(scene);
+    int more = size > 0 && far > size ? (int)ceil(log10(far / size)) : 0;
+    return more > 9 ? 15 : INK_DIGITS + more;
+}
+
+WalkthroughText walkthrough_text_begin(FILE *out, const Walkthrough *walk, WalkthroughStyle style, int digits)
+{
+    int enough = place_digits(walk->scene);
+    return (WalkthroughText){.ink = {out, style.colour, style.columns > 0 ? style.columns : INK_COLUMNS},
+                             .walk = walk,
+                             .listener = style.listener,
+                             .digits = enough > digits ? enough : digits};
+}
+
 void walkthrough_text_step(WalkthroughText *text, WalkthroughStepKind kind, const char *title)
 {
     const WalkthroughPlace *place = &text->place;

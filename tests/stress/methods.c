@@ -70,9 +70,9 @@ static CastHit nearest_by_textbook(const Scene *scene, Ray ray)
     const Textbook textbook = {.scene = scene};
     CastHit nearest = {-1, HUGE_VAL};
     for (int i = 0; i < scene->face_count; i++) {
-        double t = textbook_hit_float(&textbook, i, ray.origin, ray.direction);
-        if (t > 0 && t < nearest.t)
-            nearest = (CastHit){i, t};
+        TextbookTest face = textbook_test_float(&textbook, i, ray);
+        if (face.hit && face.test.t < nearest.t)
+            nearest = (CastHit){i, face.test.t};
     }
     return nearest;
 }
@@ -106,7 +106,7 @@ static int count_by_textbook(const Scene *scene, Ray ray)
     const Textbook textbook = {.scene = scene};
     int count = 0;
     for (int i = 0; i < scene->face_count; i++)
-        count += textbook_hit_float(&textbook, i, ray.origin, ray.direction) > 0;
+        count += textbook_test_float(&textbook, i, ray).hit;
     return count;
 }
 
@@ -144,8 +144,8 @@ static bool blocked_by_textbook(const Scene *scene, const double *segment, int l
     for (int i = 0; i < 3; i++)
         way[i] = (double)((float)segment[3 + i] - (float)segment[i]);
     for (int i = 0; i < scene->face_count; i++) {
-        double t = i == left ? 0 : textbook_hit_float(&textbook, i, vec3_at(segment), vec3_at(way));
-        if (t > 0 && t < 1)
+        TextbookTest face = textbook_test_float(&textbook, i, (Ray){vec3_at(segment), vec3_at(way)});
+        if (i != left && face.hit && face.test.t < 1)
             return true;
     }
     return false;
@@ -177,10 +177,9 @@ static void points_by_reference(const Scene *scene, Ray ray, CastHit hit, double
 static void points_by_textbook(const Scene *scene, Ray ray, CastHit hit, double *point, double *shifted)
 {
     const Textbook textbook = {.scene = scene, .shift = SCENE_SHIFT};
-    Vec3 p, off;
-    textbook_points_float(&textbook, hit.face, ray.origin, ray.direction, hit.t, &p, &off);
-    vec3_put(point, p);
-    vec3_put(shifted, off);
+    TextbookTest face = textbook_test_float(&textbook, hit.face, ray);
+    vec3_put(point, face.point);
+    vec3_put(shifted, face.shifted);
 }
 
 void method_points(Suite *suite, Method method, const double *rays, long count, CastHit *hits, double *points,
