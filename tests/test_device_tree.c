@@ -7,7 +7,7 @@
 
 #include "unity.h"
 
-enum { FACES = 500, FEW = 14, WIDTHS = 3 };
+enum { FACES = 500, FEW = 14, MANY = 30000, WIDTHS = 3 };
 
 static const int widths[WIDTHS] = {4, 8, 16};
 static Error error;
@@ -21,7 +21,7 @@ void tearDown(void) {}
 /* closed[i] is i % 7: a side of a closed box, or 0. */
 typedef struct Trees {
     Scene scene;
-    unsigned char closed[FACES];
+    unsigned char closed[MANY];
     Accel accel;
     DeviceTree packed;
 } Trees;
@@ -31,8 +31,9 @@ static Trees trees_of(Crowd kind, int faces, int width)
     Trees trees = {.scene = crowd_scene(kind, faces, 23)};
     for (int i = 0; i < faces; i++)
         trees.closed[i] = (unsigned char)(i % 7);
+    DevicePlan plan = {trees.closed, width, 1};
     TEST_ASSERT_TRUE(accel_build(&trees.accel, &trees.scene, ACCEL_BVH, 1, &error));
-    TEST_ASSERT_TRUE(device_tree_pack(&trees.packed, &trees.accel, trees.closed, width, &error));
+    TEST_ASSERT_TRUE(device_tree_pack(&trees.packed, &trees.accel, &plan, &error));
     return trees;
 }
 
@@ -153,11 +154,48 @@ static void one_face_should_be_the_root_s_only_child(void)
     trees_free(&trees);
 }
 
+/* The nodes below `node`, which is numbered `next`, are numbered from the root down, child after child. Returns the first
+ * number that is left. */
+static int check_numbers(const DeviceTree *tree, int node, int next, int level, int *depth)
+{
+    TEST_ASSERT_EQUAL_INT(next++, node);
+    *depth = level > *depth ? level : *depth;
+    for (int i = 0; i < tree->node_width; i++) {
+        int child = tree->ints[node * tree->node_width + i];
+        if (child != NO_CHILD && child >= 0)
+            next = check_numbers(tree, child, next, level + 1, depth);
+    }
+    return next;
+}
+
+/* A tree so large that threads share it. */
+static void a_large_tree_should_be_numbered_from_the_root_whatever_the_threads(void)
+{
+    Trees trees = trees_of(CROWD_QUADS, MANY, 8);
+    const DeviceTree *one = &trees.packed;
+    DeviceTree many;
+    int depth = 0, nodes = check_numbers(one, 0, 0, 1, &depth);
+    TEST_ASSERT_EQUAL_INT(one->int_count, nodes * 8);
+    TEST_ASSERT_GREATER_OR_EQUAL_INT(1 + depth * 7, one->stack_size);
+    TEST_ASSERT_LESS_THAN_INT(2 * (1 + depth * 7), one->stack_size);
+    static int seen[MANY];
+    check_node(&trees, 0, everywhere, seen);
+    for (int i = 0; i < MANY; i++)
+        TEST_ASSERT_EQUAL_INT(1, seen[i]);
+    DevicePlan plan = {trees.closed, 8, 3};
+    TEST_ASSERT_TRUE(device_tree_pack(&many, &trees.accel, &plan, &error));
+    TEST_ASSERT_EQUAL_MEMORY(one->ints, many.ints, one->int_count * sizeof(int));
+    TEST_ASSERT_EQUAL_MEMORY(one->floats, many.floats, one->float_count * sizeof(float));
+    device_tree_free(&many);
+    trees_free(&trees);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(each_face_should_be_in_one_leaf_and_in_all_boxes_above);
     RUN_TEST(the_areas_of_the_wide_nodes_should_be_the_least);
     RUN_TEST(one_face_should_be_the_root_s_only_child);
+    RUN_TEST(a_large_tree_should_be_numbered_from_the_root_whatever_the_threads);
     return UNITY_END();
 }

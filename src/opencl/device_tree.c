@@ -1,90 +1,14 @@
 /* A tree as the kernels traverse it: two arrays. */
 #include "opencl/device_tree.h"
 
+#include "base/parallel.h"
+#include "opencl/wide_cut.h"
+
 #include "kernels/shared/layout.h"
 
-#include <assert.h>
-#include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-enum { MAX_WIDTH = 16, SMALLEST_STACK = 64 };
-
-/* Which nodes of the binary tree a wide node takes in, so that a random line meets the fewest wide nodes: the sum of
- * their areas is the least there is (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through
- * Compressed Wide BVHs", 2017, section 3.1; all leaves are met as often whatever the cut).
- * A subtree gets some of the `width` places of the wide node above it. Into one place goes its
- * root, as a leaf or a wide node of its own; more are shared between the root's two children.
- * shares: 4 bits for each number of places, from 1 on, how many of them the first child gets,
- * or 0: the root takes one. At `width` places they are the root's own, as a wide node. */
-typedef struct Cut {
-    const Bvh *bvh;
-    uint64_t *shares; /* one per node of the binary tree, set for the inner ones */
-    int width;
-} Cut;
-
-/* The least areas of the wide nodes in a subtree, by the places that it gets: fewer than the width. From as many as it
- * has leaves on there are none. */
-typedef struct CutCosts {
-    double area[MAX_WIDTH];
-    int leaves; /* up to the width */
-} CutCosts;
-
-/* Shares so many places between two children. *first: what the first one gets. */
-static double share(const CutCosts *left, const CutCosts *right, int places, int *first)
-{
-    *first = places - 1 < left->leaves ? places - 1 : left->leaves;
-    if (places >= left->leaves + right->leaves)
-        return 0;
-    double least = HUGE_VAL;
-    for (int k = places > right->leaves ? places - right->leaves : 1; k < places && k <= left->leaves; k++) {
-        double area = left->area[k] + right->area[places - k];
-        if (area < least) {
-            least = area;
-            *first = k;
-        }
-    }
-    return least;
-}
-
-static void cut_subtree(Cut *cut, int node, CutCosts *costs)
-{
-    const BvhNode *root = &cut->bvh->nodes[node];
-    costs->area[1] = 0;
-    costs->leaves = 1;
-    if (root->count > 0)
-        return;
-    CutCosts left, right;
-    cut_subtree(cut, node + 1, &left);
-    cut_subtree(cut, root->first, &right);
-    int width = cut->width, first;
-    assert(left.leaves >= 1 && right.leaves >= 1 && width >= 2);
-    costs->leaves = left.leaves + right.leaves < width ? left.leaves + right.leaves : width;
-    double alone = box_half_area(root->box) + share(&left, &right, width, &first);
-    costs->area[1] = alone;
-    uint64_t shares = (uint64_t)first << 4 * (width - 1);
-    for (int places = 2; places < width; places++) {
-        double shared = share(&left, &right, places, &first);
-        costs->area[places] = shared <= alone ? shared : alone;
-        if (shared <= alone)
-            shares |= (uint64_t)first << 4 * (places - 1);
-    }
-    cut->shares[node] = shares;
-}
-
-/* Adds to the list the nodes of the binary tree that fill so
- * many places for the subtree; returns how many are in it. */
-static int gather(const Cut *cut, int node, int places, int *list, int count)
-{
-    const BvhNode *root = &cut->bvh->nodes[node];
-    int first = root->count > 0 ? 0 : (int)(cut->shares[node] >> 4 * (places - 1) & 15);
-    if (first == 0) {
-        list[count] = node;
-        return count + 1;
-    }
-    count = gather(cut, node + 1, first, list, count);
-    return gather(cut, root->first, places - first, list, count);
-}
+enum { SMALLEST_STACK = 64 };
 
 static void put_box(DeviceTree *tree, int node, int child, const Box *box)
 {
@@ -95,24 +19,22 @@ static void put_box(DeviceTree *tree, int node, int child, const Box *box)
     }
 }
 
-/* How many wide nodes there will be. */
-static size_t count_nodes(const Cut *cut, int root)
-{
-    int list[MAX_WIDTH];
-    int count = gather(cut, root, cut->width, list, 0);
-    size_t nodes = 1;
-    for (int i = 0; i < count; i++)
-        if (cut->bvh->nodes[list[i]].count == 0)
-            nodes += count_nodes(cut, list[i]);
-    return nodes;
-}
+/* Wide nodes below one root, which one thread makes. They are numbered from the root down, child after child. */
+typedef struct Piece {
+    Subtree root;
+    int level; /* of its root; the root of all is on level 1 */
+    int first; /* the number of its root */
+    int nodes; /* how many they are */
+    int depth; /* the deepest level */
+} Piece;
 
 typedef struct Collapse {
-    const Cut *cut;
+    const WideCut *cut;
     const unsigned char *closed;
     DeviceTree *tree;
-    int node_count;
-    int depth; /* of the deepest node; the root's is 1 */
+    Piece *pieces;
+    int piece_count;
+    int task; /* subtrees of up to so many faces are pieces */
 } Collapse;
 
 static int leaf(const Collapse *c, const BvhNode *node)
@@ -121,15 +43,39 @@ static int leaf(const Collapse *c, const BvhNode *node)
     return node->count == 1 && side >= 0 ? SIDE_LEAF(node->first, side) : LEAF(node->first, node->count);
 }
 
-/* Makes the wide node for a node of the binary tree and all below it; returns its number. */
-static int collapse(Collapse *c, int root, int depth)
+/* Counts the wide nodes above the pieces, and lists the pieces where there is a list. */
+static int count_top(Collapse *c, Subtree root)
 {
+    if (root.faces <= c->task) {
+        if (c->pieces)
+            c->pieces[c->piece_count] = (Piece){.root = root};
+        c->piece_count++;
+        return 0;
+    }
+    Subtree children[WIDE_MAX];
+    int count = wide_cut_children(c->cut, root, children), nodes = 1;
+    for (int i = 0; i < count; i++)
+        if (c->cut->bvh->nodes[children[i].node].count == 0)
+            nodes += count_top(c, children[i]);
+    return nodes;
+}
+
+/* Makes the wide node for a subtree and all below it as nodes of the piece; returns its number. With `pieces`, which are
+ * the next ones in the list, it leaves a place for each piece that it comes to. */
+static int collapse(const Collapse *c, Piece *piece, Subtree root, int level, Piece **pieces)
+{
+    if (pieces && root.faces <= c->task) {
+        Piece *below = (*pieces)++;
+        below->level = level;
+        below->first = piece->first + piece->nodes;
+        piece->nodes += below->nodes;
+        return below->first;
+    }
     const Box nothing = box_empty();
-    int list[MAX_WIDTH], width = c->tree->node_width;
-    int count = gather(c->cut, root, width, list, 0);
-    int node = c->node_count++;
-    if (depth > c->depth)
-        c->depth = depth;
+    Subtree children[WIDE_MAX];
+    int count = wide_cut_children(c->cut, root, children), width = c->tree->node_width;
+    int node = piece->first + piece->nodes++;
+    piece->depth = level > piece->depth ? level : piece->depth;
     for (int i = 0; i < width; i++) {
         int *child = &c->tree->ints[(size_t)node * (size_t)width + (size_t)i];
         if (i >= count) {
@@ -137,11 +83,27 @@ static int collapse(Collapse *c, int root, int depth)
             *child = NO_CHILD;
             continue;
         }
-        const BvhNode *inner = &c->cut->bvh->nodes[list[i]];
+        const BvhNode *inner = &c->cut->bvh->nodes[children[i].node];
         put_box(c->tree, node, i, &inner->box);
-        *child = inner->count > 0 ? leaf(c, inner) : collapse(c, list[i], depth + 1);
+        *child = inner->count > 0 ? leaf(c, inner) : collapse(c, piece, children[i], level + 1, pieces);
     }
     return node;
+}
+
+static void count_piece(void *data, int i, int thread)
+{
+    const Collapse *c = data;
+    (void)thread;
+    c->pieces[i].nodes = wide_cut_count(c->cut, c->pieces[i].root.node);
+}
+
+static void collapse_piece(void *data, int i, int thread)
+{
+    const Collapse *c = data;
+    Piece *piece = &c->pieces[i];
+    (void)thread;
+    piece->nodes = 0;
+    collapse(c, piece, piece->root, piece->level, NULL);
 }
 
 static bool allocate(DeviceTree *tree, size_t floats, size_t ints, Error *error)
@@ -164,27 +126,39 @@ static int stack_for(int needed)
     return size;
 }
 
-static bool pack_cut(DeviceTree *tree, const Cut *cut, const unsigned char *closed, Error *error)
+static bool pack_cut(Collapse *c, int threads, Error *error)
 {
-    size_t places = count_nodes(cut, 0) * (size_t)cut->width;
-    tree->node_width = cut->width;
-    if (!allocate(tree, 6 * places, places, error))
+    Subtree all = {0, c->cut->bvh->face_count};
+    count_top(c, all);
+    c->pieces = malloc(((size_t)c->piece_count + 1) * sizeof *c->pieces);
+    if (!c->pieces)
+        return error_memory(error, "the tree for the device");
+    c->piece_count = 0;
+    size_t nodes = (size_t)count_top(c, all);
+    parallel_for(threads, c->piece_count, count_piece, c);
+    for (int i = 0; i < c->piece_count; i++)
+        nodes += (size_t)c->pieces[i].nodes;
+    size_t places = nodes * (size_t)c->cut->width;
+    c->tree->node_width = c->cut->width;
+    if (!allocate(c->tree, 6 * places, places, error))
         return false;
-    Collapse c = {.cut = cut, .closed = closed, .tree = tree};
-    collapse(&c, 0, 1);
-    tree->stack_size = stack_for(1 + c.depth * (cut->width - 1));
+    Piece top = {.depth = 1}, *next = c->pieces;
+    collapse(c, &top, all, 1, &next);
+    parallel_for(threads, c->piece_count, collapse_piece, c);
+    for (int i = 0; i < c->piece_count; i++)
+        top.depth = c->pieces[i].depth > top.depth ? c->pieces[i].depth : top.depth;
+    c->tree->stack_size = stack_for(1 + top.depth * (c->cut->width - 1));
     return true;
 }
 
-static bool pack_bvh(DeviceTree *tree, const Bvh *bvh, const unsigned char *closed, int width, Error *error)
+static bool pack_bvh(DeviceTree *tree, const Bvh *bvh, const DevicePlan *plan, Error *error)
 {
-    Cut cut = {bvh, malloc(2 * (size_t)bvh->face_count * sizeof *cut.shares), width};
-    if (!cut.shares)
-        return error_memory(error, "the tree for the device");
-    CutCosts costs;
-    cut_subtree(&cut, 0, &costs);
-    bool ok = pack_cut(tree, &cut, closed, error);
-    free(cut.shares);
+    WideCut cut;
+    bool ok = wide_cut_find(&cut, bvh, plan->width, plan->threads, error);
+    Collapse c = {.cut = &cut, .closed = plan->closed, .tree = tree, .task = wide_cut_task(bvh)};
+    ok = ok && pack_cut(&c, plan->threads, error);
+    free(c.pieces);
+    wide_cut_free(&cut);
     return ok;
 }
 
@@ -213,11 +187,11 @@ static bool pack_kdtree(DeviceTree *tree, const KdTree *kdtree, Error *error)
     return true;
 }
 
-bool device_tree_pack(DeviceTree *tree, const Accel *accel, const unsigned char *closed, int width, Error *error)
+bool device_tree_pack(DeviceTree *tree, const Accel *accel, const DevicePlan *plan, Error *error)
 {
     *tree = (DeviceTree){.node_width = 1, .stack_size = 1};
     if (accel->kind == ACCEL_BVH)
-        return pack_bvh(tree, &accel->bvh, closed, width, error);
+        return pack_bvh(tree, &accel->bvh, plan, error);
     if (accel->kind == ACCEL_KDTREE)
         return pack_kdtree(tree, &accel->kdtree, error);
     return true;

@@ -15,9 +15,15 @@ typedef struct DeviceTree {
     int stack_size; /* nodes that a traversal may have to remember */
 } DeviceTree;
 
-/* Packs the tree that was built; where there is none, the arrays are empty. closed: of skip_closed_boxes, or NULL.
- * `width`: 4 to 16. */
-bool device_tree_pack(DeviceTree *tree, const Accel *accel, const unsigned char *closed, int width, Error *error);
+/* How it is packed. */
+typedef struct DevicePlan {
+    const unsigned char *closed; /* of skip_closed_boxes, or NULL */
+    int width;                   /* children per node: 4 to 16 */
+    int threads;                 /* 0: one per processor; the arrays do not depend on them */
+} DevicePlan;
+
+/* Packs the tree that was built; where there is none, the arrays are empty. */
+bool device_tree_pack(DeviceTree *tree, const Accel *accel, const DevicePlan *plan, Error *error);
 void device_tree_free(DeviceTree *tree);
 
 #endif

@@ -61,11 +61,11 @@ static bool build_tree(const OpenclSession *session, Preparation *made, RenderRe
 {
     double start = clock_ms();
     const RenderSettings *settings = made->settings;
-    int width = session->lanes > 4 ? session->lanes : 4;
+    DevicePlan plan = {made->closed, session->lanes > 4 ? session->lanes : 4, settings->threads};
     bool no_tree = settings->accel == ACCEL_AUTO && skip_wanted(settings, SKIP_TREE);
     AccelKind kind = settings->accel == ACCEL_AUTO && !no_tree ? ACCEL_BVH : settings->accel;
     bool ok = accel_build(&made->accel, made->scene, kind, settings->threads, error) &&
-              device_tree_pack(&made->tree, &made->accel, made->closed, width, error);
+              device_tree_pack(&made->tree, &made->accel, &plan, error);
     report->skipped[SKIP_TREE] = ok && no_tree && made->accel.kind == ACCEL_NONE;
     report->build_ms = clock_ms() - start;
     return ok;
