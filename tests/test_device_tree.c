@@ -113,23 +113,29 @@ static void each_face_should_be_in_one_leaf_and_in_all_boxes_above(void)
         }
 }
 
-/* The least sum of the areas of the wide nodes below `node`, which gets so many places in the one above. Tries all. */
-static double least_area(const Bvh *bvh, int node, int places, int width)
+static double least_shared(const double *left, const double *right, int places)
+{
+    double least = HUGE_VAL;
+    for (int k = 1; k < places; k++)
+        least = left[k] + right[places - k] < least ? left[k] + right[places - k] : least;
+    return least;
+}
+
+/* The least sums of the areas of the wide nodes below `node`, by the places that it gets in the one above: 1 to width -
+ * 1. Tries all. */
+static void least_areas(const Bvh *bvh, int node, int width, double *areas)
 {
     const BvhNode *root = &bvh->nodes[node];
+    double left[16], right[16];
+    for (int places = 1; places < width; places++)
+        areas[places] = 0;
     if (root->count > 0)
-        return 0;
-    double least = HUGE_VAL;
-    for (int k = 1; k < width; k++) {
-        double area = box_half_area(root->box) + least_area(bvh, node + 1, k, width) +
-                      least_area(bvh, root->first, width - k, width);
-        least = area < least ? area : least;
-    }
-    for (int k = 1; k < places; k++) {
-        double area = least_area(bvh, node + 1, k, width) + least_area(bvh, root->first, places - k, width);
-        least = area < least ? area : least;
-    }
-    return least;
+        return;
+    least_areas(bvh, node + 1, width, left);
+    least_areas(bvh, root->first, width, right);
+    double own = box_half_area(root->box) + least_shared(left, right, width);
+    for (int places = 1; places < width; places++)
+        areas[places] = fmin(own, least_shared(left, right, places));
 }
 
 static void the_areas_of_the_wide_nodes_should_be_the_least(void)
@@ -137,10 +143,9 @@ static void the_areas_of_the_wide_nodes_should_be_the_least(void)
     for (int kind = 0; kind < CROWD_EQUAL; kind++) {
         Trees trees = trees_of((Crowd)kind, FEW, 4);
         int seen[FEW] = {0};
-        double area = check_node(&trees, 0, everywhere, seen);
-        const Bvh *bvh = &trees.accel.bvh;
-        double least = least_area(bvh, 0, 1, 4);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-9 * least, least, area);
+        double area = check_node(&trees, 0, everywhere, seen), least[16];
+        least_areas(&trees.accel.bvh, 0, 4, least);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9 * least[1], least[1], area);
         trees_free(&trees);
     }
 }
@@ -169,20 +174,22 @@ static int check_numbers(const DeviceTree *tree, int node, int next, int level, 
 }
 
 /* A tree so large that threads share it. */
-static void a_large_tree_should_be_numbered_from_the_root_whatever_the_threads(void)
+static void a_large_tree_should_be_as_a_small_one_whatever_the_threads(void)
 {
-    Trees trees = trees_of(CROWD_QUADS, MANY, 8);
+    Trees trees = trees_of(CROWD_QUADS, MANY, 16);
     const DeviceTree *one = &trees.packed;
     DeviceTree many;
     int depth = 0, nodes = check_numbers(one, 0, 0, 1, &depth);
-    TEST_ASSERT_EQUAL_INT(one->int_count, nodes * 8);
-    TEST_ASSERT_GREATER_OR_EQUAL_INT(1 + depth * 7, one->stack_size);
-    TEST_ASSERT_LESS_THAN_INT(2 * (1 + depth * 7), one->stack_size);
+    TEST_ASSERT_EQUAL_INT(one->int_count, nodes * 16);
+    TEST_ASSERT_GREATER_OR_EQUAL_INT(1 + depth * 15, one->stack_size);
+    TEST_ASSERT_LESS_THAN_INT(2 * (1 + depth * 15), one->stack_size);
     static int seen[MANY];
-    check_node(&trees, 0, everywhere, seen);
+    double area = check_node(&trees, 0, everywhere, seen), least[16];
+    least_areas(&trees.accel.bvh, 0, 16, least);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9 * least[1], least[1], area);
     for (int i = 0; i < MANY; i++)
         TEST_ASSERT_EQUAL_INT(1, seen[i]);
-    DevicePlan plan = {trees.closed, 8, 3};
+    DevicePlan plan = {trees.closed, 16, 3};
     TEST_ASSERT_TRUE(device_tree_pack(&many, &trees.accel, &plan, &error));
     TEST_ASSERT_EQUAL_MEMORY(one->ints, many.ints, one->int_count * sizeof(int));
     TEST_ASSERT_EQUAL_MEMORY(one->floats, many.floats, one->float_count * sizeof(float));
@@ -196,6 +203,6 @@ int main(void)
     RUN_TEST(each_face_should_be_in_one_leaf_and_in_all_boxes_above);
     RUN_TEST(the_areas_of_the_wide_nodes_should_be_the_least);
     RUN_TEST(one_face_should_be_the_root_s_only_child);
-    RUN_TEST(a_large_tree_should_be_numbered_from_the_root_whatever_the_threads);
+    RUN_TEST(a_large_tree_should_be_as_a_small_one_whatever_the_threads);
     return UNITY_END();
 }
