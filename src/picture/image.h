@@ -18,8 +18,8 @@ typedef struct ImageKind {
 
 /* Opens a picture of RGB, 8 bits each, for writing, in the format that the path's ending names. NULL, so that nobody
  * renders for an hour first: with an ERROR_SYSTEM that names the file where it cannot be written, with an ERROR_USAGE
- * for another ending. The path "-" is stdout; a device or pipe is written to as it is. The same rows give the same bytes,
- * however they come; no date goes in. */
+ * for another ending. The path "-" is stdout; a device or pipe is written to as it is. The same rows give the same
+ * bytes, however they come; no date goes in. */
 ImageWriter *image_writer_open(const char *path, int columns, int rows, Error *error);
 
 /* The same in a given format, with 8 or 16 bits a channel. A PFM, and what has 16 bits, may be written by
