@@ -86,6 +86,16 @@ $(BUILD)/src/%.o: src/%.c | $(FOUND)
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -c $< -o $@
 
+# `rectray --version` names the commit where there is one. Its object is made anew when that changes.
+VERSION := 0.1
+COMMIT  := $(shell git describe --always --dirty --abbrev=10 2>/dev/null)
+$(BUILD)/src/command/usage.o: CPPFLAGS += -DRECTRAY_COMMIT='"$(COMMIT)"'
+$(BUILD)/src/command/usage.o: $(BUILD)/.commit-$(COMMIT)
+$(BUILD)/.commit-$(COMMIT):
+	@mkdir -p $(@D)
+	@rm -f $(BUILD)/.commit-*
+	@touch $@
+
 $(BUILD)/kernel_sources.o: $(BUILD)/kernel_sources.c | $(FOUND)
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -c $< -o $@
@@ -124,7 +134,7 @@ install: $(PROGRAM) ## install program, manual, completion, scenes, kernels, doc
 	    $(SHARE)/bash-completion/completions $(SHARE)/zsh/site-functions $(SHARE)/fish/vendor_completions.d
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/rectray
 	cp -R scenes kernels $(SHARE)/rectray/
-	cp -R README.md LICENSE docs $(wildcard $(PAGE)) $(SHARE)/doc/rectray/
+	cp -R README.md CONTRIBUTING.md LICENSE docs $(wildcard $(PAGE)) $(SHARE)/doc/rectray/
 	$(PROGRAM) help --as man >$(MAN1)/rectray.1
 	for name in $(COMMANDS); do $(PROGRAM) help $$name --as man >$(MAN1)/rectray-$$name.1 || exit 1; done
 	install -m 644 docs/rectray-scene.5 $(SHARE)/man/man5/
@@ -137,6 +147,12 @@ uninstall: ## remove what install put there
 	rm -rf $(DESTDIR)$(PREFIX)/bin/rectray $(SHARE)/rectray $(SHARE)/doc/rectray $(MAN1)/rectray.1 $(MAN1)/rectray-*.1 \
 	    $(SHARE)/man/man5/rectray-scene.5 $(SHARE)/bash-completion/completions/rectray \
 	    $(SHARE)/zsh/site-functions/_rectray $(SHARE)/fish/vendor_completions.d/rectray.fish
+
+.PHONY: dist
+dist: ## make build/rectray-VERSION.tar.gz, the sources of the last commit
+	@mkdir -p $(BUILD)
+	git archive --prefix=rectray-$(VERSION)/ -o $(BUILD)/rectray-$(VERSION).tar.gz HEAD
+	@echo "The archive is $(abspath $(BUILD)/rectray-$(VERSION).tar.gz)"
 
 # --- Trying and measuring it ----------------------------------------------------------------------------------
 

@@ -392,6 +392,27 @@ class Devices(CommandTest):
         self.assertIn("99", self.run_program("render", "scene.json", "--device", "99", status=2)[1])
 
 
+class KernelFiles(CommandTest):
+    def test_exported_kernels_make_the_same_picture(self):
+        out, _ = self.run_program("kernels", "--export", "mine")
+        names = self.run_program("kernels")[0].decode().split()
+        self.assertEqual(out, b"")
+        found = {os.path.relpath(os.path.join(place, name), self.path("mine"))
+                 for place, _, files in os.walk(self.path("mine")) for name in files}
+        self.assertEqual(found, set(names))
+        for name in names:
+            with open(os.path.join("kernels", name), "rb") as file:
+                self.assertEqual(self.bytes_of(f"mine/{name}"), file.read())
+        self.run_program("render", "scene.json", "-k", "plain", "-o", "a.png")
+        self.run_program("render", "scene.json", "-k", "plain", "-o", "b.png",
+                         env={**os.environ, "RECTRAY_KERNELS": self.path("mine")})
+        self.assertEqual(self.bytes_of("a.png"), self.bytes_of("b.png"))
+
+    def test_no_folder_is_written_over(self):
+        os.mkdir(self.path("mine"))
+        self.assertIn("there already", self.run_program("kernels", "--export", "mine", status=2)[1])
+
+
 class Documentation(unittest.TestCase):
     def test_the_page_and_the_help_name_the_same_options(self):
         with open("docs/commands.md", encoding="utf-8") as file:

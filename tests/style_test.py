@@ -13,7 +13,7 @@ C_FILES = sorted(path for top in ("src", "tests") for path in (ROOT / top).rglob
 
 # Texts that people write. Data is none: scenes, golden output, inputs of fuzzers, the list of mutants.
 TEXTS = C_FILES + sorted(
-    path for pattern in ("Makefile", "README.md", ".ci/*", "kernels/**/*", "docs/*.md", "tests/**/*.mk",
+    path for pattern in ("Makefile", "*.md", ".ci/*", "kernels/**/*", "docs/*.md", "tests/**/*.mk",
                          "tests/**/*.cl",
                          "tests/*.py", "tests/*.sh", "tests/mutants/run.py", "tests/random/*.py", "tests/support/*",
                          "tests/soak/*", "tests/fuzz/run")

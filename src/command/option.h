@@ -34,10 +34,11 @@ typedef struct TracePixel {
 typedef struct Options {
     const char *operands[MAX_OPERANDS]; /* scenes, the pictures to compare, a kind of scene */
     int operand_count;
-    const char *output;  /* NULL: not given; "-": stdout */
-    const char *rays;    /* NULL or "-": stdin */
-    const char *folder;  /* for the files of a measurement; NULL: not given */
-    const char *heatmap; /* NULL: not given; "-": stdout */
+    const char *output;        /* NULL: not given; "-": stdout */
+    const char *rays;          /* NULL or "-": stdin */
+    const char *export_folder; /* for the kernel files; NULL: not given */
+    const char *folder;        /* for the files of a measurement; NULL: not given */
+    const char *heatmap;       /* NULL: not given; "-": stdout */
     Backend backend;
     RenderSettings settings;
     int columns, rows; /* 0: as the scene says, as is grid */

@@ -3,11 +3,16 @@
 
 #include "command/option_table.h"
 
+#ifndef RECTRAY_COMMIT
+#define RECTRAY_COMMIT "" /* not known: an archive, or a build without the Makefile */
+#endif
+
 enum { HELP_COLUMN = 28 }; /* where the explanation of an option begins */
 
 void usage_print_version(FILE *out)
 {
-    fprintf(out, "rectray " RECTRAY_VERSION "\n");
+    const char *commit = RECTRAY_COMMIT;
+    fprintf(out, commit[0] ? "rectray " RECTRAY_VERSION " (%s)\n" : "rectray " RECTRAY_VERSION "\n", commit);
 }
 
 static void print_option(FILE *out, const Option *option)
