@@ -53,6 +53,15 @@ class ExitStatus(CommandTest):
 
 
 class Render(CommandTest):
+    def test_the_reference_says_beforehand_that_it_will_take_long(self):
+        process = self.start("render", "scene.json", "-b", "reference", "--size", "4000x4000", "--grid", "16", "-o",
+                             "a.png")
+        line = process.stderr.readline().decode()
+        process.kill()
+        process.communicate()
+        self.assertRegex(line, r"^rectray: note: the reference will take about \d+ s for this picture")
+        self.assertEqual(self.render("-o", "a.png")[1].count("\n"), 1)
+
     def test_the_picture_is_named_after_the_scene_in_the_working_directory(self):
         os.mkdir(self.path("work"))
         out, err = subprocess.Popen([PROGRAM, "render", "../scene.json", "-b", "reference"], cwd=self.path("work"),
@@ -359,6 +368,18 @@ class Generate(CommandTest):
 
 
 class Check(CommandTest):
+    def test_adaptive_rays_are_estimated_from_some_pixels(self):
+        for size in ((30, 20), (320, 240)):
+            scene = {**SCENE, "screen": {"columns": size[0], "rows": size[1]}, "sampling": {"adaptive": 8}}
+            self.put("adaptive.json", json.dumps(scene))
+            needs = json.loads(self.run_program("check", "adaptive.json", "--json")[0])["needs"]
+            out, _ = self.run_program("render", "adaptive.json", "-b", "reference", "-o", "a.png", "--stats=json")
+            rays = json.loads(out)["rays"]["primary"]
+            self.assertEqual(needs["primary_rays_estimated_from"], min(size[0] * size[1], 4096))
+            self.assertLess(abs(needs["primary_rays"] - rays), 0.05 * rays if size[0] > 30 else 1)
+            self.assertGreater(rays, size[0] * size[1])
+            self.assertIn(b"estimated from", self.run_program("check", "adaptive.json")[0])
+
     def test_lights_that_need_no_shadow_rays_are_told(self):
         dark = {"position": [1000, 0, 5], "diffuse": [0, 0, 0], "specular": [0, 0, 0]}
         lights = [{"position": [1000, 0, 5]}] + [{**dark, **more}

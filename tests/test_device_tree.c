@@ -159,8 +159,8 @@ static void one_face_should_be_the_root_s_only_child(void)
     trees_free(&trees);
 }
 
-/* The nodes below `node`, which is numbered `next`, are numbered from the root down, child after child. Returns the first
- * number that is left. */
+/* The nodes below `node`, which is numbered `next`, are numbered from the root down, child after child. Returns the
+ * first number that is left. */
 static int check_numbers(const DeviceTree *tree, int node, int next, int level, int *depth)
 {
     TEST_ASSERT_EQUAL_INT(next++, node);

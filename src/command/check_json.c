@@ -2,6 +2,7 @@
 #include "command/check_report.h"
 #include "json/json_node.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -28,10 +29,12 @@ static void add_contents(JsonNode node, const Scene *scene, const Survey *survey
     json_node_vector(node, "centre", scene->centre);
 }
 
-static void add_needs(JsonNode node, const Scene *scene, const Survey *survey)
+static void add_needs(JsonNode node, const CheckReport *report)
 {
-    json_node_number(node, "primary_rays",
-                     (double)scene->screen.columns * scene->screen.rows * scene->grid * scene->grid);
+    const Scene *scene = report->scene;
+    const Survey *survey = &report->survey;
+    json_node_number(node, "primary_rays", round(report->primary_rays));
+    json_node_number(node, "primary_rays_estimated_from", report->primary_tried);
     json_node_number(node, "shadow_rays_of_a_point", survey->shadow_rays ? scene->light_count : 0);
     json_node_number(node, "reflections_of_a_ray", survey->reflections ? scene->shading.max_bounces : 0);
 }
@@ -111,7 +114,7 @@ bool check_report_json(const CheckReport *report, bool every, Error *error)
     bool failed = false;
     JsonNode node = document(report->path, true, &failed);
     add_contents(json_node_object(node, "holds"), report->scene, &report->survey);
-    add_needs(json_node_object(node, "needs"), report->scene, &report->survey);
+    add_needs(json_node_object(node, "needs"), report);
     add_skippable(json_node_object(node, "can_skip"), report);
     add_notes(json_node_array(node, "notes"), &report->scene->notes, every);
     return print_node(node) || error_memory(error, "the report as JSON");

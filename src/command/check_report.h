@@ -12,6 +12,8 @@ typedef struct CheckReport {
     const Scene *scene;
     Survey survey;
     int closed; /* faces of closed boxes, every other of which can be skipped */
+    double primary_rays;
+    int primary_tried; /* pixels from which their number is estimated; 0: it is exact */
 } CheckReport;
 
 /* Fails only for want of memory. The scene must outlive the report. check_report_free may be called in any case. */

@@ -1,8 +1,11 @@
 /* What `rectray check` tells of a valid scene, as text. */
 #include "base/text.h"
 #include "command/check_report.h"
+#include "trace/adaptive.h"
+#include "trace/reference_render.h"
 #include "trace/skip.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* --- What it holds --- */
@@ -21,8 +24,11 @@ static void print_position(const char *label, Vec3 p, Vec3 centre)
 static void print_contents(const Scene *scene, const Survey *survey)
 {
     printf("holds\n");
-    printf("  %-14s%d x %d pixels, %d x %d rays each\n", "picture", scene->screen.columns, scene->screen.rows,
-           scene->grid, scene->grid);
+    printf("  %-14s%d x %d pixels, ", "picture", scene->screen.columns, scene->screen.rows);
+    if (scene->adaptive && scene->grid > 1)
+        printf("1 ray each, %d where something changes\n", adaptive_samples(scene->grid));
+    else
+        printf("%d x %d rays each\n", scene->grid, scene->grid);
     printf("  %-14s", "camera");
     print_position("at", scene->camera.position, scene->centre);
     print_position(", looking at", scene->camera.look_at, scene->centre);
@@ -48,11 +54,16 @@ static void print_contents(const Scene *scene, const Survey *survey)
 
 /* --- What it needs --- */
 
-static void print_needs(const Scene *scene, const Survey *survey)
+static void print_needs(const CheckReport *report)
 {
-    long long primary = (long long)scene->screen.columns * scene->screen.rows * scene->grid * scene->grid;
+    const Scene *scene = report->scene;
+    const Survey *survey = &report->survey;
     printf("needs\n");
-    printf("  primary rays  %lld\n", primary);
+    if (report->primary_tried > 0)
+        printf("  primary rays  about %.2f million: adaptive sampling, estimated from %d pixels\n",
+               report->primary_rays / 1e6, report->primary_tried);
+    else
+        printf("  primary rays  %.0f\n", report->primary_rays);
     if (survey->shadow_rays)
         printf("  shadow rays   at most %d for each point that is hit\n", scene->light_count);
     if (survey->reflections)
@@ -123,6 +134,28 @@ static void print_skippable(const CheckReport *report)
 
 /* --- All of it --- */
 
+/* A scene that is sampled adaptively is tried on some pixels, for only the picture knows which need more rays. */
+static bool count_primary_rays(CheckReport *report, Error *error)
+{
+    enum { TRIED = 4096 };
+    const Scene *scene = report->scene;
+    double pixels = (double)scene->screen.columns * scene->screen.rows;
+    report->primary_rays = pixels * scene->grid * scene->grid;
+    if (!scene->adaptive || scene->grid == 1)
+        return true;
+    const RenderSettings settings = {.precision = PRECISION_DOUBLE};
+    RenderReport trial;
+    Accel accel;
+    bool done = accel_build(&accel, scene, ACCEL_AUTO, 0, error);
+    if (done) {
+        report->primary_tried =
+            reference_try(scene, &accel, &settings, pixels < TRIED ? (int)pixels : TRIED, HUGE_VAL, &trial);
+        report->primary_rays = pixels * (double)trial.rays.primary / report->primary_tried;
+    }
+    accel_free(&accel);
+    return done;
+}
+
 bool check_report_make(CheckReport *report, const char *path, const Scene *scene, Error *error)
 {
     *report = (CheckReport){.path = path, .scene = scene};
@@ -133,7 +166,7 @@ bool check_report_make(CheckReport *report, const char *path, const Scene *scene
     for (int i = 0; i < scene->face_count; i++)
         report->closed += closed[i] != 0;
     free(closed);
-    return survey_scene(&report->survey, scene, error);
+    return count_primary_rays(report, error) && survey_scene(&report->survey, scene, error);
 }
 
 void check_report_free(CheckReport *report)
@@ -150,6 +183,6 @@ void check_report_text(const CheckReport *report)
 {
     printf("%s: a valid scene\n", report->path);
     print_contents(report->scene, &report->survey);
-    print_needs(report->scene, &report->survey);
+    print_needs(report);
     print_skippable(report);
 }

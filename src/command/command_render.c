@@ -21,6 +21,7 @@ typedef struct Painter {
     ImageWriter *writer;
     Progress progress;
     double encode_ms;
+    bool quiet;
     int rows;       /* of the whole picture */
     Image marked;   /* the whole picture, where a pixel of it is to be marked; else without pixels */
     double *linear; /* the whole picture in linear colours, where they are written; else NULL */
@@ -77,6 +78,14 @@ static void show_notice(void *user, const char *text)
     progress_note(&painter->progress, text);
 }
 
+static void tell_foreseen(void *user, double seconds)
+{
+    Painter *painter = user;
+    if (!painter->quiet)
+        fprintf(stderr, "rectray: note: the reference will take about %.0f s for this picture; -b opencl is faster\n",
+                seconds);
+}
+
 /* The reference is double; its textbook arithmetic is, unless the user says float. */
 static Precision precision_of(const Options *options)
 {
@@ -89,11 +98,12 @@ static bool trace(const Options *options, const Scene *scene, Painter *painter, 
 {
     BandSink sink = {paint_band, painter};
     painter->rows = scene->screen.rows;
+    painter->quiet = options->quiet;
     painter->progress = progress_start(options->progress, options->quiet);
     RenderSettings settings = options->settings;
     settings.precision = precision_of(options);
     settings.linear = painter->linear;
-    settings.notice = (Notice){show_notice, painter};
+    settings.notice = (Notice){show_notice, tell_foreseen, painter};
     bool done = backend_render(options->backend, scene, &settings, sink, report, error);
     progress_end(&painter->progress);
     return done;

@@ -60,8 +60,8 @@ static int count_top(Collapse *c, Subtree root)
     return nodes;
 }
 
-/* Makes the wide node for a subtree and all below it as nodes of the piece; returns its number. With `pieces`, which are
- * the next ones in the list, it leaves a place for each piece that it comes to. */
+/* Makes the wide node for a subtree and all below it as nodes of the piece; returns its number. With `pieces`, which
+ * are the next ones in the list, it leaves a place for each piece that it comes to. */
 static int collapse(const Collapse *c, Piece *piece, Subtree root, int level, Piece **pieces)
 {
     if (pieces && root.faces <= c->task) {

@@ -12,6 +12,11 @@
 
 enum { BAND_ROWS = 32 };
 
+/* A picture that will take longer than LONG_SECONDS is announced. To find out, one of so many pixels is tried, for at
+ * most TRIAL_MS. */
+static const double LONG_SECONDS = 3, TRIAL_MS = 100;
+enum { TRIAL_SHARE = 256 };
+
 typedef struct Band {
     const Scene *scene;
     const Accel *accel;
@@ -54,6 +59,56 @@ static void render_row(void *data, int band_row, int thread)
             memcpy(linear + ((size_t)row * columns + column) * 3, &colour, sizeof colour);
     }
 }
+
+/* --- Single pixels --- */
+
+static int greatest_divisor(int a, int b)
+{
+    return b == 0 ? a : greatest_divisor(b, a % b);
+}
+
+/* A step through the numbers of `count` pixels that reaches all of them, and spreads any few of them evenly: about the
+ * golden ratio of the whole. */
+static int spreading_step(int count)
+{
+    int step = (int)(0.6180339887 * count);
+    while (step > 1 && greatest_divisor(count, step) > 1)
+        step--;
+    return step > 0 ? step : 1;
+}
+
+int reference_try(const Scene *scene, const Accel *accel, const RenderSettings *settings, int most, double most_ms,
+                  RenderReport *report)
+{
+    const Band band = {.scene = scene, .accel = accel, .settings = settings};
+    int columns = scene->screen.columns, pixels = columns * scene->screen.rows, done = 0;
+    int step = spreading_step(pixels);
+    double start = clock_ms();
+    memset(report, 0, sizeof *report);
+    for (long long place = 0; done == 0 || (done < most && clock_ms() - start < most_ms); done++) {
+        unsigned char rgb[3];
+        trace_pixel(&band, report, (int)(place % columns), (int)(place / columns), rgb);
+        place = (place + step) % pixels;
+    }
+    report->trace_ms = clock_ms() - start;
+    return done;
+}
+
+/* Tells the user how long the picture will take, where that is long. */
+static void foresee(const Scene *scene, const Accel *accel, const RenderSettings *settings, int threads)
+{
+    const Notice *notice = &settings->notice;
+    int pixels = scene->screen.columns * scene->screen.rows;
+    RenderReport trial;
+    if (!notice->foresee)
+        return;
+    int tried = reference_try(scene, accel, settings, 1 + pixels / TRIAL_SHARE, TRIAL_MS, &trial);
+    double seconds = trial.trace_ms / 1e3 * pixels / tried / threads;
+    if (seconds > LONG_SECONDS)
+        notice->foresee(notice->user, seconds);
+}
+
+/* --- Whole pictures --- */
 
 static void add_counts(RenderReport *report, const RenderReport *counts)
 {
@@ -123,6 +178,8 @@ bool reference_render(const Scene *scene, const RenderSettings *settings, BandSi
     bool ok = accel_build(&accel, scene, textbook ? ACCEL_NONE : settings->accel, settings->threads, error);
     report->build_ms = clock_ms() - start;
     report->accel = accel.kind;
+    if (ok)
+        foresee(scene, &accel, settings, report->threads);
     ok = ok && render_bands(scene, &accel, settings, sink, report, error);
     accel_free(&accel);
     return ok;

@@ -35,9 +35,11 @@ typedef enum MapKind {
     MAP_TESTS,  /* faces and nodes of a tree that its rays were tested against, of all kinds */
 } MapKind;
 
-/* Shows the user what takes long before there is a picture, such as "compiling ...": a few words, without a newline. */
+/* Shows the user what takes long before there is a picture, such as "compiling ...": a few words, without a newline.
+ * And how long the picture itself will take, where a backend foresees that it is long. */
 typedef struct Notice {
-    void (*show)(void *user, const char *text); /* NULL: nobody looks */
+    void (*show)(void *user, const char *text); /* NULL: nobody looks, as of the next */
+    void (*foresee)(void *user, double seconds);
     void *user;
 } Notice;
 
