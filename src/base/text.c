@@ -135,13 +135,26 @@ char *text_read_input(const char *path, long limit, long *length, Error *error)
     return text;
 }
 
-bool text_check(const char *path, Error *error)
+FILE *text_open(const char *path, Error *error)
 {
     long size;
-    FILE *file = open_regular(path, &size, error);
+    return open_regular(path, &size, error);
+}
+
+bool text_check(const char *path, Error *error)
+{
+    FILE *file = text_open(path, error);
     if (file)
         fclose(file);
     return file != NULL;
+}
+
+bool text_exists(const char *path)
+{
+    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (descriptor >= 0)
+        close(descriptor);
+    return descriptor >= 0 || (errno != ENOENT && errno != ENOTDIR && errno != ENAMETOOLONG);
 }
 
 bool text_open_lines(TextLines *lines, const char *path, Error *error)

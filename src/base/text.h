@@ -28,8 +28,14 @@ bool text_is_stream(const char *path);
 /* What messages call such an input: "<stdin>", or its path. */
 const char *text_input_name(const char *path);
 
+/* Opens a regular file to read; the errors are those of text_read, but any size will do. NULL on failure. */
+FILE *text_open(const char *path, Error *error);
+
 /* Whether the path is a regular file that can be opened; the errors are those of text_read, but any size will do. */
 bool text_check(const char *path, Error *error);
+
+/* Whether anything has that name, be it a folder or a file that cannot be read. */
+bool text_exists(const char *path);
 
 typedef struct TextLines {
     FILE *file;

@@ -46,6 +46,6 @@ bool word_numbers(const TextLines *lines, char *rest, double *numbers, int room,
             return word_fail(lines, error, "more than %d numbers", room);
         if (!text_number(word, &numbers[*count]))
             return word_fail(lines, error, "%s is not a finite number%s", text_quote(word).text,
-                             strchr(word, ',') ? "; write a point, not a comma" : "");
+                             strchr(word, ',') ? "; blanks separate the numbers, and a point their fractions" : "");
     }
 }

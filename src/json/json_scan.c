@@ -88,7 +88,7 @@ static bool scan_escape(Scan *scan)
     }
     int code = *scan->at == 'u' ? hex4(scan->at + 1) : -1;
     if (code < 0)
-        return fault(scan, start, "not an escape of JSON; write \\\\ for a backslash");
+        return fault(scan, start, "not an escape of JSON; write \\\\ for a backslash, and / in a path");
     scan->at += 5;
     if (code == 0)
         return fault(scan, start, "the character U+0000 may not stand in a string");

@@ -52,24 +52,24 @@ static bool check_size(const ExploreFiles *files, Error *error)
     long long bytes = 0;
     for (int i = 0; i < files->count; i++) {
         struct stat status;
-        if (stat(files->paths[i], &status) != 0)
-            return text_fail_errno(files->paths[i], "cannot be read", error);
+        if (stat(files->items[i].path, &status) != 0)
+            return text_fail_errno(files->items[i].path, "cannot be read", error);
         bytes += status.st_size;
     }
     return bytes <= EXPLORE_MAX_BYTES ||
            error_set(error, ERROR_INPUT,
                      "%s: with its models it holds %.1f MB; explore puts scenes of up to %d MB into a page",
-                     files->paths[0], (double)bytes / 1048576, EXPLORE_MAX_BYTES / 1048576);
+                     files->items[0].path, (double)bytes / 1048576, EXPLORE_MAX_BYTES / 1048576);
 }
 
-static bool write_file(FILE *out, const char *path, Error *error)
+static bool write_file(FILE *out, const ExploreFile *file, Error *error)
 {
     long length;
-    char *bytes = text_read(path, EXPLORE_MAX_BYTES, &length, error);
+    char *bytes = text_read(file->path, EXPLORE_MAX_BYTES, &length, error);
     if (!bytes)
         return false;
     fputs("<script type=\"application/octet-stream\" data-file=\"", out);
-    write_escaped(out, path, false);
+    write_escaped(out, file->name, false);
     fputs("\">", out);
     write_base64(out, bytes, length);
     fputs("</script>\n", out);
@@ -109,9 +109,9 @@ static bool write_wishes(FILE *out, const char *scene_path, const ExploreWishes 
 
 static bool write_scene(FILE *out, const ExploreFiles *files, const ExploreWishes *wishes, Error *error)
 {
-    bool good = check_size(files, error) && write_wishes(out, files->paths[0], wishes, error);
+    bool good = check_size(files, error) && write_wishes(out, files->items[0].path, wishes, error);
     for (int i = 0; good && i < files->count; i++)
-        good = write_file(out, files->paths[i], error);
+        good = write_file(out, &files->items[i], error);
     return good;
 }
 

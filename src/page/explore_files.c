@@ -2,45 +2,74 @@
 #include "page/explore_files.h"
 
 #include "base/array.h"
-#include "base/words.h"
+#include "base/text_blocks.h"
+#include "reader/line_scan.h"
+#include "reader/model_library.h"
 #include "json/json.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Takes the path over. *is_new: it was not in the list before. */
+/* Takes name and path over. *is_new: it was not in the list before. */
+static bool add_file(ExploreFiles *files, ExploreFile file, bool *is_new, Error *error)
+{
+    *is_new = file.name && file.path;
+    for (int i = 0; *is_new && i < files->count; i++)
+        *is_new = strcmp(files->items[i].name, file.name) != 0;
+    ExploreFile *grown =
+        *is_new ? array_grown(files->items, files->count, &files->capacity, sizeof *grown, "the scene's files", error)
+                : NULL;
+    if (grown) {
+        files->items = grown;
+        grown[files->count++] = file;
+    } else {
+        free(file.name);
+        free(file.path);
+    }
+    return error->kind == ERROR_NONE;
+}
+
+/* A file whose name is its path. */
 static bool add_path(ExploreFiles *files, char *path, bool *is_new, Error *error)
 {
-    *is_new = false;
-    if (!path)
-        return false;
-    for (int i = 0; i < files->count; i++)
-        if (strcmp(files->paths[i], path) == 0) {
-            free(path);
-            return true;
+    char *copy = path ? text_copy(path, error) : NULL;
+    return add_file(files, (ExploreFile){path, copy}, is_new, error);
+}
+
+/* The libraries of an mtllib line that are there. */
+static bool add_line(ExploreFiles *files, const char *model, char *names, Error *error)
+{
+    LibraryName library;
+    bool good = true, is_new;
+    while (good && library_name_next(&library, model, &names, error)) {
+        if (library.path) {
+            good =
+                add_file(files, (ExploreFile){text_beside(model, library.name, error), library.path}, &is_new, error);
+            library.path = NULL;
         }
-    char **paths = array_grown(files->paths, files->count, &files->capacity, sizeof *paths, "the scene's files", error);
-    if (!paths) {
-        free(path);
-        return false;
+        library_name_free(&library);
     }
-    files->paths = paths;
-    files->paths[files->count++] = path;
-    return *is_new = true;
+    return good && error->kind == ERROR_NONE;
 }
 
 static bool add_libraries(ExploreFiles *files, const char *model, Error *error)
 {
-    TextLines lines;
-    bool good = text_open_lines(&lines, model, error), is_new;
-    for (char *line; good && (line = text_next_line(&lines, error));) {
-        char *rest = line;
-        if (strcmp(word_next(&rest), "mtllib") != 0)
-            continue;
-        for (char *name = word_next(&rest); good && *name; name = word_next(&rest))
-            good = add_path(files, text_beside(model, name, error), &is_new, error);
+    TextBlocks blocks;
+    LineScan scan = {.path = model, .error = error};
+    bool good = text_blocks_open(&blocks, model, error);
+    while (good) {
+        TextBlock block = text_blocks_next(&blocks, error);
+        if (!block.at)
+            break;
+        for (scan.at = block.at; good && scan.at < block.end;) {
+            scan_blanks(&scan);
+            if (scan_word_is(scan_word(&scan), "mtllib"))
+                good = add_line(files, model, scan_rest(&scan), error);
+            else
+                scan_next_line(&scan);
+        }
     }
-    text_close_lines(&lines);
+    text_blocks_close(&blocks);
     return good && error->kind == ERROR_NONE;
 }
 
@@ -59,7 +88,7 @@ bool explore_find_files(ExploreFiles *files, const char *scene_path, Error *erro
             continue;
         good = add_path(files, text_beside(scene_path, obj->valuestring, error), &is_new, error);
         if (good && is_new)
-            good = add_libraries(files, files->paths[files->count - 1], error);
+            good = add_libraries(files, files->items[files->count - 1].path, error);
     }
     json_free(&json);
     return good;
@@ -67,8 +96,10 @@ bool explore_find_files(ExploreFiles *files, const char *scene_path, Error *erro
 
 void explore_free_files(ExploreFiles *files)
 {
-    for (int i = 0; i < files->count; i++)
-        free(files->paths[i]);
-    free(files->paths);
+    for (int i = 0; i < files->count; i++) {
+        free(files->items[i].name);
+        free(files->items[i].path);
+    }
+    free(files->items);
     *files = (ExploreFiles){0};
 }

@@ -4,8 +4,14 @@
 
 #include "base/error.h"
 
+/* A file, and the name under which the scene's reader asks for it. They differ where a library was written on Windows
+ * (reader/model_library.h). */
+typedef struct ExploreFile {
+    char *name, *path;
+} ExploreFile;
+
 typedef struct ExploreFiles {
-    char **paths; /* the scene first, each once */
+    ExploreFile *items; /* the scene first, each once */
     int count, capacity;
 } ExploreFiles;
 

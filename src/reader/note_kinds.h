@@ -6,7 +6,25 @@
 #include "base/notes.h"
 
 typedef enum NoteName {
-    NOTE_LINES, /* of a model: l */
+    NOTE_LINES,  /* of a model: l */
+    NOTE_POINTS, /* p */
+    NOTE_CURVES, /* vp, and what makes curves and free-form surfaces */
+    NOTE_SMOOTHING,
+    NOTE_VERTEX_COLOURS,
+    NOTE_DISPLAY,
+    NOTE_UNKNOWN, /* also of a library */
+    NOTE_LIBRARY_MISSING,
+    NOTE_LIBRARY_RENAMED,
+    NOTE_MATERIAL_MISSING,
+    NOTE_MATERIAL_TWICE, /* of a library, as the rest */
+    NOTE_MIRROR,
+    NOTE_ILLUM,
+    NOTE_OPACITY,
+    NOTE_EMISSION,
+    NOTE_PICTURE,
+    NOTE_PICTURE_ONLY,
+    NOTE_PHYSICAL,
+    NOTE_AMBIENT_WHITE,
     NOTE_NAMES, /* how many there are */
 } NoteName;
 

@@ -47,10 +47,50 @@ bool scene_build_object(SceneBuild *build, const char *name, SceneBuildObject ob
     if (!copy)
         return false;
     scene->objects[scene->object_count++] = (Object){.name = copy, .first_face = build->face_count};
+    build->first_part = scene->part_count;
     object.mirrored = transform_mirrors(&object.transform);
     object.first_point = build->point_count;
     build->object = object;
     return true;
+}
+
+bool scene_build_part(SceneBuild *build, const char *name)
+{
+    Scene *scene = build->scene;
+    ScenePart *last = scene->part_count > build->first_part ? &scene->parts[scene->part_count - 1] : NULL;
+    char *copy = text_copy(name, build->error);
+    if (!copy)
+        return false;
+    if (last && last->first_face == build->face_count) { /* it has no face */
+        free(last->name);
+        last->name = copy;
+        return true;
+    }
+    ScenePart *grown =
+        array_grown(scene->parts, scene->part_count, &build->part_capacity, sizeof *grown, "parts", build->error);
+    if (!grown) {
+        free(copy);
+        return false;
+    }
+    scene->parts = grown;
+    grown[scene->part_count++] = (ScenePart){copy, build->face_count};
+    return true;
+}
+
+void scene_build_end_parts(SceneBuild *build)
+{
+    Scene *scene = build->scene;
+    const Object *object = &scene->objects[scene->object_count - 1];
+    ScenePart *parts = scene->parts + build->first_part;
+    int count = scene->part_count - build->first_part;
+    if (count > 0 && parts[count - 1].first_face == build->face_count)
+        free(parts[--count].name);
+    bool one = count > 0 && parts[0].first_face == object->first_face;
+    for (int i = 1; i < count; i++)
+        one = one && strcmp(parts[i].name, parts[0].name) == 0;
+    while (one && count > 0)
+        free(parts[--count].name);
+    scene->part_count = build->first_part + count;
 }
 
 bool scene_build_point(SceneBuild *build, Vec3 point)
@@ -61,7 +101,7 @@ bool scene_build_point(SceneBuild *build, Vec3 point)
         return false;
     build->points = grown;
     Vec3 world = transform_point(&build->object.transform, point);
-    if (!vec3_is_finite(world))
+    if (!vec3_is_finite(world) && vec3_is_finite(point))
         return fail(build, "the transform takes the vertex out of the range of numbers");
     build->points[build->point_count++] = world;
     return true;
@@ -93,7 +133,8 @@ static bool describe(SceneBuild *build, Shape shape, const int *vertices)
         return fail(build, "the face is not convex: it turns the other way at vertex %d", first);
     case SHAPE_CROSSED:
         return fail(build, "the face is a bow-tie: two of its sides cross; list its vertices in order around it");
-    case SHAPE_NOT_FINITE: /* scene_build_point has excluded it */
+    case SHAPE_NOT_FINITE:
+        return fail(build, "vertex %d of the face is not a finite number", first);
     case SHAPE_GOOD:
         break;
     }

@@ -39,7 +39,8 @@ typedef struct SceneBuild {
     int point_count, point_capacity;
     SceneBuildFace *faces;
     int face_count, face_capacity;
-    int object_capacity, material_capacity;
+    int object_capacity, material_capacity, part_capacity;
+    int first_part;              /* of the object */
     int next_number;             /* of a face */
     SceneBuildObject object;     /* the one being built */
     char reason[256];            /* why the last call failed, where the error says nothing */
@@ -55,7 +56,14 @@ int scene_build_material(SceneBuild *build, Material material);
 /* Begins an object; the points and faces that follow are its. The name is copied. */
 bool scene_build_object(SceneBuild *build, const char *name, SceneBuildObject object);
 
-/* Adds a vertex, which the object's transform moves into the world. Fails when it is no longer finite. */
+/* The faces that follow belong to this part of the object, whose name is copied. */
+bool scene_build_part(SceneBuild *build, const char *name);
+
+/* Ends the object's parts. All faces in one part are in none: its name would tell nothing. */
+void scene_build_end_parts(SceneBuild *build);
+
+/* Adds a vertex, which the object's transform moves into the world. Fails when that makes it infinite. A vertex that is
+ * not finite itself is no fault until a face uses it. */
 bool scene_build_point(SceneBuild *build, Vec3 point);
 
 int scene_build_point_count(const SceneBuild *build); /* of the object */

@@ -1,179 +1,143 @@
-/* Wavefront OBJ models: the geometry, line by line, so that a model of ten million faces needs no copy of its text. */
+/* Wavefront OBJ models: one pass over the text, line by line. Vertices are read here. */
 #include "reader/scene_obj.h"
 
-#include "base/words.h"
-#include "reader/scene_mtl.h"
+#include "base/number.h"
+#include "base/text_blocks.h"
+#include "reader/obj_faces.h"
 
-#include <stdlib.h>
-#include <string.h>
+#include <math.h>
 
 typedef struct ObjReader {
     SceneBuild *build;
-    TextLines lines;
-    MtlLibrary library;
-    int material;   /* of the faces that follow; -1: the object's own */
-    Quoted missing; /* what usemtl asked for in vain; empty where it did not */
-    int face_count;
+    LineScan scan;
+    ObjMaterials materials;
+    ObjFaces faces;
+    NotePlace colours; /* of vertices */
 } ObjReader;
 
-static bool read_vertex(ObjReader *reader, char *rest)
+/* x y z, then a weight w or a colour, with or without alpha. */
+static bool read_vertex(ObjReader *reader)
 {
-    SceneBuild *build = reader->build;
-    double c[8];
+    LineScan *scan = &reader->scan;
+    double c[7];
     int count;
-    if (!word_numbers(&reader->lines, rest, c, 7, &count, build->error))
+    long line = scan->line;
+    if (!scan_numbers(scan, c, 7, &count))
         return false;
     if (count < 3 || count == 5)
-        return word_fail(&reader->lines, build->error, "a vertex needs three coordinates, not %d", count);
-    if ((count == 4 || count == 7) && c[3] != 1)
-        return word_fail(&reader->lines, build->error, "a vertex with the weight %g; only 1 is supported", c[3]);
-    /* 6 or 7 numbers: a colour follows, which says nothing about the shape */
-    return scene_build_point(build, vec3(c[0], c[1], c[2])) ||
-           word_fail(&reader->lines, build->error, "%s", build->reason);
-}
-
-/* Cuts a whole number that is not 0 off the text. */
-static bool cut_integer(const char **at, long long *value)
-{
-    const char *digits = *at + (**at == '-');
-    if (*digits < '0' || *digits > '9')
-        return false;
-    char *end;
-    *value = strtoll(*at, &end, 10);
-    *at = end;
-    return *value != 0;
-}
-
-/* a, a/b, a//c or a/b/c. b and c (texture, normal) must be numbers, but are not used. */
-static bool parse_reference(const char *at, long long *vertex)
-{
-    long long unused;
-    if (!cut_integer(&at, vertex))
-        return false;
-    if (*at == '/' && at[1] != '/') {
-        at++;
-        if (!cut_integer(&at, &unused))
-            return false;
-        if (*at == '/') {
-            at++;
-            return cut_integer(&at, &unused) && !*at;
-        }
-    } else if (*at == '/') {
-        at += 2;
-        return cut_integer(&at, &unused) && !*at;
+        return scan_fail(scan, line, "a vertex needs three coordinates, not %d", count);
+    if (count >= 6) {
+        reader->colours.line = reader->colours.count++ > 0 ? reader->colours.line : line;
+    } else if (count == 4 && c[3] != 1) {
+        for (int i = 0; i < 3; i++)
+            c[i] /= c[3];
     }
-    return !*at;
+    return scene_build_point(reader->build, vec3(c[0], c[1], c[2]))
+               ? scan_next_line(scan)
+               : scan_fail(scan, line, "%s", reader->build->reason);
 }
 
-/* The referred vertex as an index from 0 within the object.
- * Negative references count back from the last vertex so far. */
-static bool read_reference(const ObjReader *reader, const char *word, int *vertex)
+/* Lines that are left out: by their keywords. NOTE_NAMES: without a note. */
+static const struct {
+    const char *key;
+    NoteName note;
+} left_out[] = {
+    {"vn", NOTE_NAMES},          {"vt", NOTE_NAMES},         {"l", NOTE_LINES},
+    {"p", NOTE_POINTS},          {"vp", NOTE_CURVES},        {"cstype", NOTE_CURVES},
+    {"deg", NOTE_CURVES},        {"bmat", NOTE_CURVES},      {"step", NOTE_CURVES},
+    {"curv", NOTE_CURVES},       {"curv2", NOTE_CURVES},     {"surf", NOTE_CURVES},
+    {"parm", NOTE_CURVES},       {"trim", NOTE_CURVES},      {"hole", NOTE_CURVES},
+    {"scrv", NOTE_CURVES},       {"sp", NOTE_CURVES},        {"end", NOTE_CURVES},
+    {"con", NOTE_CURVES},        {"mg", NOTE_DISPLAY},       {"bevel", NOTE_DISPLAY},
+    {"c_interp", NOTE_DISPLAY},  {"d_interp", NOTE_DISPLAY}, {"lod", NOTE_DISPLAY},
+    {"usemap", NOTE_DISPLAY},    {"maplib", NOTE_DISPLAY},   {"shadow_obj", NOTE_DISPLAY},
+    {"trace_obj", NOTE_DISPLAY}, {"ctech", NOTE_DISPLAY},    {"stech", NOTE_DISPLAY},
+};
+
+static bool leave_out(ObjReader *reader, ScanWord key, long line)
 {
-    Error *error = reader->build->error;
-    int defined = scene_build_point_count(reader->build);
-    long long number;
-    if (!parse_reference(word, &number))
-        return word_fail(&reader->lines, error, "%s is not a reference to a vertex (like 7, -1, 7/1, 7//3, 7/1/3)",
-                         text_quote(word).text);
-    if (number > defined || number < -defined)
-        return word_fail(&reader->lines, error, "vertex %lld does not exist; %d are defined above this line", number,
-                         defined);
-    *vertex = (int)(number > 0 ? number - 1 : defined + number);
-    return true;
+    NoteName note = NOTE_UNKNOWN;
+    for (size_t i = 0; i < sizeof left_out / sizeof *left_out && note == NOTE_UNKNOWN; i++)
+        if (scan_word_is(key, left_out[i].key))
+            note = left_out[i].note;
+    Quoted word = scan_quote(key);
+    NotePlace place = {.line = line, .detail = note == NOTE_UNKNOWN ? word.text : NULL};
+    if (note != NOTE_NAMES && !scene_build_note(reader->build, note, reader->scan.path, place))
+        return false;
+    return scan_next_line(&reader->scan);
 }
 
-static bool read_face(ObjReader *reader, char *rest)
+/* Reads a line that begins with some other word than v and f. */
+static bool read_key(ObjReader *reader, ScanWord key, long line)
 {
-    SceneBuild *build = reader->build;
-    int vertices[4], count = 0;
-    for (char *word = word_next(&rest); *word; word = word_next(&rest), count++)
-        if (count < 4 && !read_reference(reader, word, &vertices[count]))
+    LineScan *scan = &reader->scan;
+    if (scan_word_is(key, "usemtl"))
+        return obj_materials_use(&reader->materials, scan_rest(scan), line);
+    if (scan_word_is(key, "mtllib"))
+        return obj_materials_add(&reader->materials, scan_rest(scan), line);
+    if (scan_word_is(key, "o") || scan_word_is(key, "g"))
+        return obj_faces_part(&reader->faces, scan_rest(scan));
+    if (scan_word_is(key, "s")) {
+        ScanWord group = scan_word(scan);
+        bool off = group.length == 0 || scan_word_is(group, "off") || scan_word_is(group, "0");
+        if (!off && !scene_build_note(reader->build, NOTE_SMOOTHING, scan->path, (NotePlace){.line = line}))
             return false;
-    if (count < 3 || count > 4)
-        return word_fail(&reader->lines, build->error, "a face of %d vertices; 3 or 4 are supported", count);
-    reader->face_count++;
-    if (reader->material < 0 && build->object.material < 0 && reader->missing.text[0])
-        return word_fail(&reader->lines, build->error,
-                         "the face has no material: %s is not in the scene nor in a library, and the object names none",
-                         reader->missing.text);
-    return scene_build_face(build, vertices, count, reader->material, (int)reader->lines.line) ||
-           word_fail(&reader->lines, build->error, "%s", build->reason);
-}
-
-/* The scene's material of that name, then the libraries', else the object's own. */
-static bool use_material(ObjReader *reader, const char *name)
-{
-    SceneBuild *build = reader->build;
-    if (!*name)
-        return word_fail(&reader->lines, build->error, "usemtl without a name");
-    reader->material = names_find(&build->materials, name);
-    int own = reader->material < 0 ? names_find(&reader->library.names, name) : -1;
-    reader->missing = reader->material < 0 && own < 0 ? text_quote(name) : (Quoted){""};
-    if (own < 0)
-        return true;
-    int *used_as = &reader->library.used_as[own];
-    if (*used_as < 0)
-        *used_as = scene_build_material(build, reader->library.materials[own]);
-    reader->material = *used_as;
-    return *used_as >= 0;
-}
-
-static bool read_libraries(ObjReader *reader, char *rest)
-{
-    Error *error = reader->build->error;
-    char *name = word_next(&rest);
-    if (!*name)
-        return word_fail(&reader->lines, error, "mtllib without a file");
-    for (; *name; name = word_next(&rest)) {
-        char *path = text_beside(reader->lines.path, name, error);
-        Error reason = {.kind = ERROR_NONE};
-        if (!path)
-            return false;
-        if (!scene_mtl_read(&reader->library, path, &reason))
-            return reason.kind == ERROR_INPUT ? word_fail(&reader->lines, error, "mtllib: %s", reason.text)
-                                              : error_set(error, reason.kind, "%s", reason.text);
+        return scan_next_line(scan);
     }
-    return true;
+    return leave_out(reader, key, line);
 }
 
-static bool is_continued(const char *line)
+static bool read_line(ObjReader *reader)
 {
-    size_t length = strlen(line);
-    return length > 0 && line[length - 1] == '\\';
+    LineScan *scan = &reader->scan;
+    scan_blanks(scan);
+    char key = *scan->at;
+    if (scan_line_ends(scan))
+        return scan_next_line(scan);
+    long line = scan->line;
+    if ((key == 'v' || key == 'f') && scan_word_ends(scan->at + 1)) {
+        scan->at++;
+        scan_blanks(scan);
+        return key == 'v' ? read_vertex(reader) : obj_faces_read(&reader->faces, scan);
+    }
+    return read_key(reader, scan_word(scan), line);
 }
 
-static bool read_line(ObjReader *reader, char *line)
+static bool read_file(ObjReader *reader)
 {
-    char *rest = line;
-    bool continued = is_continued(line);
-    const char *key = word_next(&rest);
-    if (continued && (strcmp(key, "v") == 0 || strcmp(key, "f") == 0))
-        return word_fail(&reader->lines, reader->build->error,
-                         "the line goes on after its '\\', which is not supported; join it with the next one");
-    if (strcmp(key, "v") == 0)
-        return read_vertex(reader, rest);
-    if (strcmp(key, "f") == 0)
-        return read_face(reader, rest);
-    if (strcmp(key, "usemtl") == 0)
-        return use_material(reader, word_rest(&rest));
-    if (strcmp(key, "mtllib") == 0)
-        return read_libraries(reader, rest);
-    if (strcmp(key, "l") == 0)
-        return scene_build_note(reader->build, NOTE_LINES, reader->lines.path, (NotePlace){.line = reader->lines.line});
-    return true;
+    TextBlocks blocks;
+    LineScan *scan = &reader->scan;
+    bool good = text_blocks_open(&blocks, scan->path, scan->error);
+    while (good) {
+        TextBlock block = text_blocks_next(&blocks, scan->error);
+        if (!block.at)
+            break;
+        scan->at = block.at;
+        while (good && scan->at < block.end)
+            good = read_line(reader);
+        blocks.line = scan->line - 1;
+    }
+    text_blocks_close(&blocks);
+    return good && scan->error->kind == ERROR_NONE;
 }
 
 bool scene_obj_read(SceneBuild *build, const char *path)
 {
-    ObjReader reader = {.build = build, .material = -1};
+    ObjReader reader = {
+        .build = build,
+        .scan = {.line = 1, .path = path, .error = build->error},
+        .materials = {.build = build, .path = path, .current = -1},
+        .faces = {.build = build, .materials = &reader.materials},
+    };
     build->object.first_number = 1;
-    bool good = text_open_lines(&reader.lines, path, build->error);
-    for (char *line; good && (line = text_next_line(&reader.lines, build->error));)
-        good = read_line(&reader, line);
-    good = good && build->error->kind == ERROR_NONE;
-    if (good && reader.face_count == 0)
+    number_prepare();
+    bool good = read_file(&reader) && obj_faces_finish(&reader.faces, &reader.scan);
+    if (good && reader.faces.count == 0)
         good = error_set(build->error, ERROR_INPUT, "%s: holds no face", path);
-    text_close_lines(&reader.lines);
-    scene_mtl_free(&reader.library);
+    if (good && reader.colours.count > 0)
+        good = scene_build_note(build, NOTE_VERTEX_COLOURS, path, reader.colours);
+    scene_build_end_parts(build);
+    obj_faces_free(&reader.faces);
+    obj_materials_free(&reader.materials);
     return good;
 }

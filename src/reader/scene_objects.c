@@ -3,6 +3,7 @@
 
 #include "base/suggest.h"
 #include "base/text.h"
+#include "reader/model_library.h"
 #include "reader/scene_obj.h"
 #include "reader/scene_transform.h"
 #include "json/json_read.h"
@@ -10,6 +11,7 @@
 #include <float.h>
 #include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 
 static bool fail_build(const Json *json, const cJSON *item, const SceneBuild *build)
 {
@@ -106,6 +108,20 @@ static bool read_box(const Json *json, const cJSON *item, SceneBuild *build)
     return scene_build_box(build, low, high) || fail_build(json, item, build);
 }
 
+/* A path that cannot be read, with one that can, where the name was written on Windows or in another case. */
+static bool fail_path(const Json *json, const cJSON *item, const char *reason)
+{
+    bool as_written;
+    char *path = library_path(json->name, item->valuestring, &as_written, json->error);
+    const char *name = path ? path + strlen(path) - strlen(item->valuestring) : "";
+    if (path && !as_written)
+        json_fail(json, item, "%s; did you mean %s?", reason, text_quote(name).text);
+    else
+        json_fail(json, item, "%s%s", reason, strchr(item->valuestring, '\\') ? "; write / for each \\" : "");
+    free(path);
+    return false;
+}
+
 /* A model's own faults say their line; that there is no such file is told at the place that names it. */
 static bool read_obj(const Json *json, const cJSON *item, SceneBuild *build)
 {
@@ -120,7 +136,7 @@ static bool read_obj(const Json *json, const cJSON *item, SceneBuild *build)
     if (good)
         good = scene_obj_read(build, path);
     else if (reason.kind == ERROR_INPUT)
-        json_fail(json, item, "%s", reason.text);
+        fail_path(json, item, reason.text);
     else
         error_set(json->error, reason.kind, "%s", reason.text);
     free(path);

@@ -12,13 +12,30 @@ void scene_free(Scene *scene)
         free(scene->materials[i].name);
     for (int i = 0; i < scene->object_count; i++)
         free(scene->objects[i].name);
+    for (int i = 0; i < scene->part_count; i++)
+        free(scene->parts[i].name);
     free(scene->lights);
     free(scene->materials);
     free(scene->objects);
+    free(scene->parts);
     free(scene->faces);
     free(scene->planes);
     notes_free(&scene->notes);
     *scene = (Scene){0};
+}
+
+const char *scene_part_of(const Scene *scene, int face)
+{
+    int low = -1, high = scene->part_count; /* part `low` begins at or before the face, `high` after it */
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+        if (scene->parts[middle].first_face <= face)
+            low = middle;
+        else
+            high = middle;
+    }
+    bool inside = low >= 0 && scene->parts[low].first_face >= scene->objects[scene->faces[face].object].first_face;
+    return inside ? scene->parts[low].name : NULL;
 }
 
 double screen_height(const Screen *screen)

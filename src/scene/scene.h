@@ -55,6 +55,12 @@ typedef struct Object {
     int face_count;
 } Object;
 
+/* A named part of a model: the faces from first_face to the next part, or to the end of the object. */
+typedef struct ScenePart {
+    char *name;
+    int first_face;
+} ScenePart;
+
 /* A face as traced: 3 or 4 vertices, relative to the scene's centre, rounded once to float32. */
 typedef struct Face {
     float vertices[4][3]; /* a triangle repeats its vertex 0 in row 3 */
@@ -96,6 +102,8 @@ typedef struct Scene {
     int material_count;
     Object *objects;
     int object_count;
+    ScenePart *parts; /* in the order of their faces */
+    int part_count;
     Face *faces;
     int face_count; /* faces as traced: a split face counts twice */
     Plane *planes;  /* one per face */
@@ -108,6 +116,9 @@ typedef struct Scene {
 
 /* Frees all that the scene owns and zeroes it; a zeroed scene may be freed again. */
 void scene_free(Scene *scene);
+
+/* The name of the part that a face belongs to; NULL where it is in none. */
+const char *scene_part_of(const Scene *scene, int face);
 
 /* The screen's height: as given, or width * rows / columns when the pixels are square. */
 double screen_height(const Screen *screen);

@@ -20,19 +20,21 @@ int fuzz_mtl(const uint8_t *data, size_t size)
     char *copy = strdup(path);
     REQUIRE(copy);
     MtlLibrary library = {0};
-    if (scene_mtl_read(&library, copy, &error)) {
+    Notes notes = {0};
+    if (scene_mtl_read(&library, copy, &notes, &error)) {
         REQUIRE(error.kind == ERROR_NONE);
         for (int i = 0; i < library.count; i++) {
-            const Material *material = &library.materials[i];
-            REQUIRE(names_find(&library.names, material->name) == i && library.used_as[i] == -1);
+            const Material *material = &library.items[i].material;
+            REQUIRE(names_find(&library.names, material->name) == i && library.items[i].used_as == -1);
             REQUIRE(is_colour(material->ambient) && is_colour(material->diffuse) && is_colour(material->specular));
             REQUIRE(material->shininess >= 0 && material->shininess <= SCENE_MAX_SHININESS);
         }
         int before = library.count;
         copy = strdup(path);
-        REQUIRE(copy && scene_mtl_read(&library, copy, &error) && library.count == before); /* read once only */
+        REQUIRE(copy && scene_mtl_read(&library, copy, &notes, &error) && library.count == before); /* read once only */
     } else
         fuzz_check_error(&error);
-    scene_mtl_free(&library);
+    mtl_library_free(&library);
+    notes_free(&notes);
     return 0;
 }
