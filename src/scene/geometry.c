@@ -198,6 +198,11 @@ static double edge_determinant(Vec3 origin, ExactVec3 r, Vec3 a, Vec3 b)
     return exact_determinant(r, exact_difference(a, origin), exact_difference(b, origin));
 }
 
+double point_left_of(Vec3 along, Vec3 from, Vec3 to, Vec3 point)
+{
+    return edge_determinant(from, exact_vec3(along), to, point);
+}
+
 /* The inside test: fills the edges of the test and returns whether every sign says the same side. */
 static bool inside_edges(FaceTest *test, const Face *face, Vec3 origin, ExactVec3 r, bool complete)
 {

@@ -79,6 +79,10 @@ typedef struct FaceTest {
  * the signed volume of Moeller and Trumbore 1997 section 2.2 / Shewchuk 1997, which needs no hit point. */
 FaceTest face_test(const Face *face, const Plane *plane, Ray ray, double limit, bool complete);
 
+/* along . ((to - from) x (point - from)), its sign exact: > 0 where `point` is on the left of the line from `from` to
+ * `to` for one at whom `along` points. */
+double point_left_of(Vec3 along, Vec3 from, Vec3 to, Vec3 point);
+
 /* Tests the segment from `from` to `to`: inside means that the face is strictly between them. t runs from 0 to 1. */
 FaceTest face_test_segment(const Face *face, const Plane *plane, Vec3 from, Vec3 to, bool complete);
 
