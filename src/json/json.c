@@ -228,15 +228,21 @@ bool json_load(Json *json, const char *path, Error *error)
     return json->text && parse(json);
 }
 
+bool json_take(Json *json, const char *name, char *text, long length, Error *error)
+{
+    *json = (Json){.name = name, .text = text, .length = length, .error = error};
+    return parse(json);
+}
+
 bool json_parse(Json *json, const char *name, const char *text, long length, Error *error)
 {
-    *json = (Json){.name = name, .length = length, .error = error};
-    json->text = malloc((size_t)length + 1);
-    if (!json->text)
+    *json = (Json){0};
+    char *copy = malloc((size_t)length + 1);
+    if (!copy)
         return error_memory(error, name);
-    memcpy(json->text, text, (size_t)length);
-    json->text[length] = '\0';
-    return parse(json);
+    memcpy(copy, text, (size_t)length);
+    copy[length] = '\0';
+    return json_take(json, name, copy, length, error);
 }
 
 void json_free(Json *json)

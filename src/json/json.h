@@ -27,6 +27,9 @@ bool json_load(Json *json, const char *path, Error *error);
 /* The same for a text in memory, which is copied. `name` stands for the path in messages. */
 bool json_parse(Json *json, const char *name, const char *text, long length, Error *error);
 
+/* The same for a text on the heap that ends in a NUL, which json_free frees, or a failure does. */
+bool json_take(Json *json, const char *name, char *text, long length, Error *error);
+
 void json_free(Json *json);
 
 /* Fills the error with "NAME:LINE:COLUMN: PATH: reason", then the line and a caret under the place. Line and column

@@ -151,7 +151,7 @@ static bool add_face(SceneBuild *build, const int *points, int count, int materi
         return false;
     build->faces = grown;
     SceneBuildFace face = {
-        .vertex_count = count,
+        .vertex_count = (unsigned char)count,
         .number = build->next_number,
         .object = build->scene->object_count - 1,
         .material = material,
@@ -193,18 +193,23 @@ bool scene_build_face(SceneBuild *build, const int *vertices, int count, int mat
     return true;
 }
 
+const int scene_build_box_faces[BUILD_BOX_FACES][4] = {
+    {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6},
+};
+
+Vec3 scene_build_corner(Vec3 low, Vec3 high, int i)
+{
+    return vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
+}
+
 bool scene_build_box(SceneBuild *build, Vec3 low, Vec3 high)
 {
-    /* Corner i has the high x where bit 0 of i is set, the high y for bit 1, the high z for bit 2. */
-    static const int faces[6][4] = {
-        {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6},
-    };
     static const char *const sides[6] = {"-x", "+x", "-y", "+y", "-z", "+z"};
-    for (int i = 0; i < 8; i++)
-        if (!scene_build_point(build, vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z)))
+    for (int i = 0; i < BUILD_BOX_POINTS; i++)
+        if (!scene_build_point(build, scene_build_corner(low, high, i)))
             return false;
-    for (int i = 0; i < 6; i++)
-        if (!scene_build_face(build, faces[i], 4, -1, i)) {
+    for (int i = 0; i < BUILD_BOX_FACES; i++)
+        if (!scene_build_face(build, scene_build_box_faces[i], 4, -1, i)) {
             char reason[sizeof build->reason];
             memcpy(reason, build->reason, sizeof reason);
             return fail(build, "side %s of the box: %.200s", sides[i], reason);

@@ -27,9 +27,17 @@ typedef struct SceneBuildObject {
 /* A face before it is rounded: four numbers of points instead of four points. */
 typedef struct SceneBuildFace {
     int points[4];
-    int vertex_count, number, object, material, one_sided;
+    int number, object, material;
     int place; /* the reader's: an index in a list, or a line of a file */
+    unsigned char vertex_count, one_sided;
+    unsigned char shape; /* whether scene_build_finish has to look at it */
 } SceneBuildFace;
+
+enum {
+    BUILD_SHAPE_CHECKED,
+    BUILD_SHAPE_UNCHECKED,
+    BUILD_SHAPE_UNCHECKED_TURNED /* a mirror turned the face over: the file's order is 0 3 2 1 */
+};
 
 typedef struct SceneBuild {
     Scene *scene;
@@ -78,6 +86,24 @@ bool scene_build_box(SceneBuild *build, Vec3 low, Vec3 high);
 
 /* Adds a note on a file, at a place. */
 bool scene_build_note(SceneBuild *build, NoteName name, const char *path, NotePlace place);
+
+/* The same in one step for a reader that has put points and faces into the arrays itself, behind those that are there:
+ * points as the file gives them; of faces the vertices' numbers within the object, their count, material and place.
+ * scene_build_finish checks their shapes, and a box. False where one is not valid: then nothing is added. */
+bool scene_build_adopt(SceneBuild *build, int points, int faces);
+bool scene_build_adopt_box(SceneBuild *build, Vec3 low, Vec3 high);
+
+/* The place of the next point or face where `behind` others are waiting to be adopted. NULL without memory. */
+Vec3 *scene_build_next_point(SceneBuild *build, int behind);
+SceneBuildFace *scene_build_next_face(SceneBuild *build, int behind);
+
+/* Corner i of a box has the high x where bit 0 of i is set, the high y for bit 1, the high z for bit 2. */
+enum { BUILD_BOX_POINTS = 8, BUILD_BOX_FACES = 6 };
+Vec3 scene_build_corner(Vec3 low, Vec3 high, int i);
+extern const int scene_build_box_faces[BUILD_BOX_FACES][4]; /* the corners of each face */
+
+/* The face's shape, its vertices taken in the order in which the file has them. */
+Shape scene_build_shape(const SceneBuild *build, const SceneBuildFace *face);
 
 /* Moves faces, camera and lights to the scene's centre, rounds the faces and computes their planes. */
 bool scene_build_finish(SceneBuild *build);

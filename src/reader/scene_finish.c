@@ -32,8 +32,20 @@ static bool in_range(Vec3 a)
     return fabs(a.x) <= BUILD_MAX_COORDINATE && fabs(a.y) <= BUILD_MAX_COORDINATE && fabs(a.z) <= BUILD_MAX_COORDINATE;
 }
 
+Shape scene_build_shape(const SceneBuild *build, const SceneBuildFace *face)
+{
+    Vec3 points[4];
+    int count = face->vertex_count;
+    bool turned = face->shape == BUILD_SHAPE_UNCHECKED_TURNED;
+    for (int i = 0; i < count; i++)
+        points[i] = build->points[face->points[turned ? (count - i) % count : i]];
+    return shape_of(points, count);
+}
+
 static bool round_face(SceneBuild *build, const SceneBuildFace *from, Face *face)
 {
+    if (from->shape != BUILD_SHAPE_CHECKED && scene_build_shape(build, from).verdict)
+        return fail(build, from, "the face's shape is not valid");
     *face = (Face){
         .vertex_count = from->vertex_count,
         .number = from->number,

@@ -1,11 +1,15 @@
 /* The scene file: camera, screen, lights, materials and rules; the objects are read in scene_objects.c. */
 #include "reader/scene_json.h"
 
+#include "base/number.h"
+#include "base/text.h"
+#include "reader/scene_bulk.h"
 #include "reader/scene_objects.h"
 #include "json/json_read.h"
 
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The screen's measures: no smaller, so that a ray's direction keeps away from the smallest doubles, and no larger. */
 static const double SMALLEST_LENGTH = 1e-12, LARGEST_LENGTH = 1e12;
@@ -184,7 +188,15 @@ static bool check_schema(const Json *json, const cJSON *item)
     return !item || cJSON_IsString(item) || json_fail_type(json, item, "a string");
 }
 
-static bool read_scene(const Json *json, Scene *scene, SceneBuild *build)
+/* bulk: the inside of the list of objects, which the tree then lacks; NULL: the tree has it. */
+static bool read_objects(const Json *json, const cJSON *list, const JsonSpan *bulk, SceneBuild *build)
+{
+    if (bulk)
+        return scene_bulk_read(json, *bulk, build);
+    return !list || scene_objects_read(json, list, build);
+}
+
+static bool read_scene(const Json *json, const JsonSpan *bulk, Scene *scene, SceneBuild *build)
 {
     JsonMember keys[SCENE_KEYS] = {
         [CAMERA] = {.name = "camera", .required = true},
@@ -199,19 +211,17 @@ static bool read_scene(const Json *json, Scene *scene, SceneBuild *build)
     if (!json_members(json, json->root, keys, SCENE_KEYS) || !check_schema(json, keys[SCHEMA].item) ||
         !read_camera(json, keys[CAMERA].item, &scene->camera) ||
         !read_screen(json, keys[SCREEN].item, &scene->screen) || !read_lights(json, keys[LIGHTS].item, scene) ||
-        !read_materials(json, keys[MATERIALS].item, build) ||
-        (keys[OBJECTS].item && !scene_objects_read(json, keys[OBJECTS].item, build)) ||
+        !read_materials(json, keys[MATERIALS].item, build) || !read_objects(json, keys[OBJECTS].item, bulk, build) ||
         !read_shading(json, keys[SHADING].item, &scene->shading) || !read_sampling(json, keys[SAMPLING].item, scene))
         return false;
-    return scene_build_finish(build) || fail_finish(json, keys, build);
+    return scene_build_finish(build) || (!bulk && fail_finish(json, keys, build));
 }
 
 /* Reads a parsed file, and frees it. */
-static bool finish_load(Scene *scene, Json *json, Error *error)
+static bool finish_load(Scene *scene, Json *json, const JsonSpan *bulk)
 {
-    SceneBuild build = {.scene = scene, .error = error};
-    *scene = (Scene){0};
-    bool good = read_scene(json, scene, &build);
+    SceneBuild build = {.scene = scene, .error = json->error};
+    bool good = read_scene(json, bulk, scene, &build);
     scene_build_free(&build);
     json_free(json);
     if (!good)
@@ -219,16 +229,70 @@ static bool finish_load(Scene *scene, Json *json, Error *error)
     return good;
 }
 
-bool scene_load(Scene *scene, const char *path, Error *error)
+/* The text without what the span has of it. NULL without memory. */
+static char *text_without(const char *text, long length, JsonSpan span, Error *error)
+{
+    size_t before = (size_t)(span.begin - text), after = (size_t)(text + length - span.end);
+    char *rest = malloc(before + after + 1);
+    if (!rest) {
+        error_memory(error, "a scene");
+        return NULL;
+    }
+    memcpy(rest, text, before);
+    memcpy(rest + before, span.end, after + 1);
+    return rest;
+}
+
+/* The objects straight from the text, all else through the tree. False, with or without an error, where that fails. */
+static bool load_bulk(Scene *scene, const char *path, const char *text, long length, Error *error)
 {
     Json json;
+    JsonSpan objects;
+    if (!json_bulk_find(text, "objects", &objects))
+        return false;
+    char *rest = text_without(text, length, objects, error);
+    return rest && json_take(&json, path, rest, length - (objects.end - objects.begin), error) &&
+           finish_load(scene, &json, &objects);
+}
+
+enum { LONG_TEXT = 1 << 16 }; /* bytes, from which on the table of number_prepare saves more time than it takes */
+
+/* Takes over the text. Where it cannot be read in bulk, all of it goes through the tree, which knows every place: so
+ * there is one list of messages, and the first error of a file is the same whatever its size. */
+static bool load_text(SceneWay way, Scene *scene, const char *path, char *text, long length, Error *error)
+{
+    Json json;
+    Error reason = {.kind = ERROR_NONE};
+    if (length >= LONG_TEXT)
+        number_prepare();
+    bool in_bulk = way != SCENE_WAY_TREE && load_bulk(scene, path, text, length, &reason);
+    if (in_bulk || way == SCENE_WAY_BULK || reason.kind == ERROR_SYSTEM) {
+        free(text);
+        return in_bulk || (reason.kind && error_set(error, reason.kind, "%s", reason.text));
+    }
+    return json_take(&json, path, text, length, error) && finish_load(scene, &json, NULL);
+}
+
+bool scene_load(Scene *scene, const char *path, Error *error)
+{
+    long length = 0;
     *scene = (Scene){0};
-    return json_load(&json, path, error) && finish_load(scene, &json, error);
+    char *text = text_read_input(path, JSON_MAX_BYTES, &length, error);
+    return text && load_text(SCENE_WAY_ANY, scene, text_input_name(path), text, length, error);
 }
 
 bool scene_parse(Scene *scene, const char *path, const char *text, long length, Error *error)
 {
-    Json json;
+    return scene_parse_by(SCENE_WAY_ANY, scene, path, text, length, error);
+}
+
+bool scene_parse_by(SceneWay way, Scene *scene, const char *path, const char *text, long length, Error *error)
+{
     *scene = (Scene){0};
-    return json_parse(&json, path, text, length, error) && finish_load(scene, &json, error);
+    char *copy = malloc((size_t)length + 1);
+    if (!copy)
+        return error_memory(error, path);
+    memcpy(copy, text, (size_t)length);
+    copy[length] = '\0';
+    return load_text(way, scene, path, copy, length, error);
 }

@@ -13,4 +13,11 @@ bool scene_load(Scene *scene, const char *path, Error *error);
 /* The same for `length` bytes of text; `path` stands in messages, and models are looked for beside it. */
 bool scene_parse(Scene *scene, const char *path, const char *text, long length, Error *error);
 
+/* Which way a text goes: numbers straight from the text, everything through the tree of values, or the first and, where
+ * it does not succeed, the second. The tests hold the two against each other. */
+typedef enum SceneWay { SCENE_WAY_ANY, SCENE_WAY_BULK, SCENE_WAY_TREE } SceneWay;
+
+/* scene_parse by one way. In bulk a failure need not fill the error. */
+bool scene_parse_by(SceneWay way, Scene *scene, const char *path, const char *text, long length, Error *error);
+
 #endif

@@ -161,19 +161,38 @@ static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *
     return scene_transform_read(json, keys[TRANSFORM].item, &object->transform);
 }
 
+static const JsonMember object_keys[OBJECT_KEYS] = {
+    [NAME] = {.name = "name"},
+    [MATERIAL] = {.name = "material"},
+    [VERTICES] = {.name = "vertices"},
+    [FACES] = {.name = "faces"},
+    [BOX] = {.name = "box"},
+    [OBJ] = {.name = "obj"},
+    [TRANSFORM] = {.name = "transform"},
+    [NONPLANAR] = {.name = "nonplanar"},
+    [SIDED] = {.name = "sided"},
+};
+
+SceneObjectName scene_objects_unnamed(int index)
+{
+    SceneObjectName name;
+    snprintf(name.text, sizeof name.text, "objects[%d]", index);
+    return name;
+}
+
+static bool begin_object(const Json *json, const JsonMember *keys, int index, SceneBuild *build)
+{
+    SceneObjectName unnamed = scene_objects_unnamed(index);
+    const char *name = unnamed.text;
+    SceneBuildObject object = {.material = -1};
+    return (!keys[NAME].item || json_string(json, keys[NAME].item, &name)) &&
+           read_settings(json, keys, build, &object) && scene_build_object(build, name, object);
+}
+
 static bool read_object(const Json *json, const cJSON *item, int index, SceneBuild *build)
 {
-    JsonMember keys[OBJECT_KEYS] = {
-        [NAME] = {.name = "name"},
-        [MATERIAL] = {.name = "material"},
-        [VERTICES] = {.name = "vertices"},
-        [FACES] = {.name = "faces"},
-        [BOX] = {.name = "box"},
-        [OBJ] = {.name = "obj"},
-        [TRANSFORM] = {.name = "transform"},
-        [NONPLANAR] = {.name = "nonplanar"},
-        [SIDED] = {.name = "sided"},
-    };
+    JsonMember keys[OBJECT_KEYS];
+    memcpy(keys, object_keys, sizeof keys);
     if (!json_members(json, item, keys, OBJECT_KEYS))
         return false;
     bool mesh = keys[VERTICES].item || keys[FACES].item;
@@ -181,16 +200,20 @@ static bool read_object(const Json *json, const cJSON *item, int index, SceneBui
         return json_fail(json, item, "an object has one of \"vertices\" with \"faces\", \"box\" and \"obj\"");
     if (mesh && !(keys[VERTICES].item && keys[FACES].item))
         return json_fail(json, item, "the key \"%s\" is missing", keys[VERTICES].item ? "faces" : "vertices");
-    char unnamed[32];
-    snprintf(unnamed, sizeof unnamed, "objects[%d]", index);
-    const char *name = unnamed;
-    SceneBuildObject object = {.material = -1};
-    if ((keys[NAME].item && !json_string(json, keys[NAME].item, &name)) || !read_settings(json, keys, build, &object) ||
-        !scene_build_object(build, name, object))
+    if (!begin_object(json, keys, index, build))
         return false;
     if (mesh)
         return read_faces(json, keys[VERTICES].item, keys[FACES].item, build);
     return keys[BOX].item ? read_box(json, keys[BOX].item, build) : read_obj(json, keys[OBJ].item, build);
+}
+
+bool scene_objects_begin(const Json *json, int index, bool is_model, SceneBuild *build)
+{
+    JsonMember keys[OBJECT_KEYS];
+    memcpy(keys, object_keys, sizeof keys);
+    return json_members(json, json->root, keys, OBJECT_KEYS) && !keys[VERTICES].item && !keys[FACES].item &&
+           !keys[BOX].item && (keys[OBJ].item != NULL) == is_model && begin_object(json, keys, index, build) &&
+           (!is_model || read_obj(json, keys[OBJ].item, build));
 }
 
 bool scene_objects_read(const Json *json, const cJSON *objects, SceneBuild *build)

@@ -6,6 +6,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Through the tree of values alone the text has the same verdict, message and number of faces. */
+static void check_other_way(const char *text, long length, const Scene *scene, const Error *error)
+{
+    static Error other_error;
+    Scene other;
+    other_error.kind = ERROR_NONE;
+    other_error.text[0] = '\0';
+    scene_parse_by(SCENE_WAY_TREE, &other, "/proc/self/fd/scene.json", text, length, &other_error);
+    REQUIRE(other_error.kind == error->kind && strcmp(other_error.text, error->text) == 0);
+    REQUIRE(other.face_count == scene->face_count);
+    REQUIRE(other.face_count == 0 ||
+            memcmp(other.faces, scene->faces, (size_t)other.face_count * sizeof *other.faces) == 0);
+    scene_free(&other);
+}
+
 int fuzz_scene(const uint8_t *data, size_t size)
 {
     static Error error;
@@ -18,7 +33,9 @@ int fuzz_scene(const uint8_t *data, size_t size)
     Scene scene;
     error.kind = ERROR_NONE;
     error.text[0] = '\0';
-    if (scene_parse(&scene, "/proc/self/fd/scene.json", (const char *)text, (long)length, &error)) {
+    bool good = scene_parse(&scene, "/proc/self/fd/scene.json", (const char *)text, (long)length, &error);
+    check_other_way((const char *)text, (long)length, &scene, &error);
+    if (good) {
         REQUIRE(error.kind == ERROR_NONE);
         fuzz_check_scene(&scene);
         scene_free(&scene);
