@@ -138,6 +138,12 @@ static void what_is_not_plain_should_be_left_to_the_tree(void)
         "{\"material\": \"red\", \"b\\u006fx\": {\"min\": [0, 0, 0], \"max\": [1, 1, 1]}, \"box\": {\"min\": [0, 0, "
         "0], "
         "\"max\": [1, 1, 1]}}",
+        "{\"material\": \"red\", \"box\": {\"min\": [0, 0, 0], \"max\": [1, 1, 1]}, \"box\": {\"min\": [0, 0, 0], "
+        "\"max\": [1, 1, 1]}}",
+        "{\"material\": \"red\", \"vertices\": [[0,0,0], [1,0,0], [1,1,0]], \"faces\": [[0,1,2]], \"faces\": "
+        "[[0,1,2]]}",
+        "{\"material\": \"red\", \"vertices\": [[0,0,0], [1,0,0], [1,1,0]], \"vertices\": [[0,0,0]], \"faces\": "
+        "[[0,1,2]]}",
         "{\"material\": \"green\", \"box\": {\"min\": [0, 0, 0], \"max\": [1, 1, 1]}}",
         "{\"box\": {\"min\": [0, 0, 0], \"max\": [1, 1, 1]}}",
         "{\"material\": \"red\", \"box\": {\"min\": [0, 0, 0], \"max\": [1, 1, 01]}}",
