@@ -9,14 +9,16 @@
 enum { MAX_WORDS = 64 };
 
 static const Command COMMANDS[] = {
-    {"render", "SCENE", 1, 1, "", NULL},
-    {"trace", "SCENE", 1, 1, "", NULL},
-    {"cast", "SCENE", 1, 1, "", NULL},
-    {"check", "SCENE", 1, 1, "", NULL},
-    {"compare", "A.png B.png", 2, 2, "", NULL},
-    {"bench", "[SCENE...]", 0, MAX_OPERANDS, "", NULL},
-    {"generate", "KIND", 1, 1, "", NULL},
-    {"devices", "[N]", 0, 1, "", NULL},
+    {.name = "render", .operands = "SCENE", .operands_min = 1, .operands_max = 1},
+    {.name = "trace", .operands = "SCENE", .operands_min = 1, .operands_max = 1},
+    {.name = "cast", .operands = "SCENE", .operands_min = 1, .operands_max = 1},
+    {.name = "check", .operands = "SCENE", .operands_min = 1, .operands_max = 1},
+    {.name = "compare", .operands = "A.png B.png", .operands_min = 2, .operands_max = 2},
+    {.name = "bench", .operands = "[SCENE...]", .operands_min = 0, .operands_max = MAX_OPERANDS},
+    {.name = "generate", .operands = "KIND", .operands_min = 1, .operands_max = 1},
+    {.name = "kernels", .operands = ""},
+    {.name = "help", .operands = "[COMMAND]", .operands_max = 1},
+    {.name = "devices", .operands = "[N]", .operands_min = 0, .operands_max = 1},
     {0},
 };
 
