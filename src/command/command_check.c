@@ -4,7 +4,6 @@
 #include "command/check_report.h"
 #include "command/command.h"
 #include "command/scene_open.h"
-#include "reader/scene_json.h"
 
 #include <cjson/cJSON.h>
 #include <stdlib.h>
@@ -70,8 +69,8 @@ static bool print_report(const Options *options, const Scene *scene, Error *erro
 bool command_check(const Options *options, Error *error)
 {
     Scene scene;
-    bool good = scene_load(&scene, options->operands[0], error) &&
-                scene_open_tell(&scene.notes, options, options->verbose, error);
+    bool good =
+        scene_open_load(&scene, options, error) && scene_open_tell(&scene.notes, options, options->verbose, error);
     if (good && options->geometry)
         good = print_geometry(&scene, error);
     else if (good && !options->quiet)

@@ -19,7 +19,13 @@ typedef enum ColourChoice { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER } ColourCho
 /* What `help` prints: text for people, a manual page, or a script for a shell. */
 typedef enum HelpFormat { HELP_TEXT, HELP_MAN, HELP_BASH, HELP_ZSH, HELP_FISH } HelpFormat;
 
-enum { TRACE_PIXELS_MAX = 16, MAPS_MAX = 16 };
+enum { TRACE_PIXELS_MAX = 16, MAPS_MAX = 16, EDITS_MAX = 64 };
+
+/* A change of the scene file's text. */
+typedef struct OptionEdit {
+    const char *option; /* its name */
+    const char *value;  /* as the user wrote it */
+} OptionEdit;
 
 typedef struct OptionMap {
     MapKind kind;
@@ -45,6 +51,8 @@ typedef struct Options {
     int grid;
     SamplingChoice sampling;
     const char *second_value; /* of an option that takes two, while it is read */
+    OptionEdit edits[EDITS_MAX];
+    int edit_count;
     OptionMap maps[MAPS_MAX];
     int map_count;
     bool mark_given;

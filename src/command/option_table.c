@@ -175,6 +175,53 @@ static bool set_lanes(Options *o, const char *value)
     return index >= 0;
 }
 
+/* --- Changes of the scene --- */
+
+static bool add_edit(Options *o, const char *option, const char *value)
+{
+    if (o->edit_count == EDITS_MAX)
+        return false;
+    o->edits[o->edit_count++] = (OptionEdit){option, value};
+    return true;
+}
+
+/* "X,Y,Z": three numbers as JSON has them, which the scene's reader judges. */
+static bool is_triple(const char *value)
+{
+    int commas = 0;
+    for (const char *c = value; *c; c++)
+        commas += *c == ',';
+    return commas == 2 && value[strspn(value, "+-.,0123456789eE")] == '\0' && !strstr(value, ",,");
+}
+
+static bool set_camera(Options *o, const char *value)
+{
+    return is_triple(value) && add_edit(o, "camera", value);
+}
+
+static bool set_look_at(Options *o, const char *value)
+{
+    return is_triple(value) && add_edit(o, "look-at", value);
+}
+
+static bool set_up(Options *o, const char *value)
+{
+    return is_triple(value) && add_edit(o, "up", value);
+}
+
+/* "K=X,Y,Z" */
+static bool set_light(Options *o, const char *value)
+{
+    int light;
+    const char *equals = option_read_int(value, 0, 999999, '=', &light);
+    return equals && is_triple(equals + 1) && add_edit(o, "light", value);
+}
+
+static bool set_value(Options *o, const char *value)
+{
+    return value[0] != '=' && strchr(value, '=') && add_edit(o, "set", value);
+}
+
 /* --- The table, in the order of --help --- */
 
 #define FLAG(name) .kind = OPTION_FLAG, .field = (int)offsetof(Options, name)
@@ -206,6 +253,16 @@ const Option option_table[] = {
      OWN(set_map_scale), .expects = "two numbers above 0, the lower one first, such as 1:2000"},
     {"bounces", 0, "N", "render trace", "at most N reflected rays in a row, instead of the scene's",
      NUMBER(bounces, 0, SCENE_MAX_BOUNCES)},
+    {"camera", 0, "X,Y,Z", "render trace cast check tree", "where the camera is, instead of the scene's",
+     OWN(set_camera), .expects = "three numbers, such as 0,1.5,4"},
+    {"look-at", 0, "X,Y,Z", "render trace cast check tree", "the point that it looks at", OWN(set_look_at),
+     .expects = "three numbers, such as 0,1.5,4"},
+    {"up", 0, "X,Y,Z", "render trace cast check tree", "what is upwards in the picture", OWN(set_up),
+     .expects = "three numbers, such as 0,0,1"},
+    {"light", 0, "K=X,Y,Z", "render trace cast check tree", "where light K is, counted from 0", OWN(set_light),
+     .expects = "a light's number and three numbers, such as 0=1,2,3"},
+    {"set", 0, "PATH=VALUE", "render trace cast check tree", "any value of the file, such as lights[0].diffuse[2]=1",
+     OWN(set_value), .expects = "a path and a value, such as materials.pink.reflection=0.5"},
     {"size", 0, "N", "generate", "menger: steps; city: boxes; grid: quads along a side. Must be given",
      NUMBER(scene_size, 1, 1000000)},
     {"seed", 0, "N", "generate", "another number, another scene of that kind (default 0)", NUMBER(seed, 0, 2147483647)},

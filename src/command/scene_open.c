@@ -3,6 +3,9 @@
 
 #include "reader/scene_json.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 bool scene_open_tell(const Notes *notes, const Options *options, bool every, Error *error)
 {
     if (options->strict)
@@ -12,9 +15,77 @@ bool scene_open_tell(const Notes *notes, const Options *options, bool every, Err
     return true;
 }
 
+/* --- Edits --- */
+
+/* What an edit needs: three strings in one piece of memory. */
+typedef struct EditText {
+    char *memory;
+    SceneEdit edit;
+} EditText;
+
+/* Where the path of "PATH=VALUE" ends: an "=" within ["a key"] is part of it. */
+static size_t path_length(const char *value)
+{
+    const char *at = value;
+    while (*at && *at != '=') {
+        const char *end = at[0] == '[' && at[1] == '"' ? strstr(at, "\"]") : NULL;
+        at = end ? end + 2 : at + 1;
+    }
+    return (size_t)(at - value);
+}
+
+static void write_edit(char *path, char *value, size_t size, const OptionEdit *option)
+{
+    const char *text = option->value;
+    size_t equals = path_length(text);
+    if (strcmp(option->option, "set") == 0) {
+        snprintf(path, size, "%.*s", (int)equals, text);
+        snprintf(value, size, "%s", text[equals] ? text + equals + 1 : "");
+    } else if (strcmp(option->option, "light") == 0) {
+        snprintf(path, size, "lights[%.*s].position", (int)equals, text);
+        snprintf(value, size, "[%s]", text + equals + 1);
+    } else {
+        const char *key = option->option;
+        snprintf(path, size, "camera.%s",
+                 strcmp(key, "camera") == 0 ? "position"
+                 : strcmp(key, "up") == 0   ? "up"
+                                            : "look_at");
+        snprintf(value, size, "[%s]", text);
+    }
+}
+
+static bool make_edit(EditText *made, const OptionEdit *option, Error *error)
+{
+    size_t size = strlen(option->value) + 64;
+    made->memory = malloc(3 * size);
+    if (!made->memory)
+        return error_memory(error, "a change of the scene");
+    char *path = made->memory, *value = path + size, *origin = value + size;
+    write_edit(path, value, size, option);
+    snprintf(origin, size, "--%s %s", option->option, option->value);
+    made->edit = (SceneEdit){path, value, origin};
+    return true;
+}
+
+bool scene_open_load(Scene *scene, const Options *options, Error *error)
+{
+    EditText made[EDITS_MAX] = {{0}};
+    SceneEdit edits[EDITS_MAX];
+    bool done = true;
+    *scene = (Scene){0};
+    for (int i = 0; i < options->edit_count && done; i++) {
+        done = make_edit(&made[i], &options->edits[i], error);
+        edits[i] = made[i].edit;
+    }
+    done = done && scene_load_edited(scene, options->operands[0], edits, options->edit_count, error);
+    for (int i = 0; i < options->edit_count; i++)
+        free(made[i].memory);
+    return done;
+}
+
 bool scene_open(Scene *scene, const Options *options, Error *error)
 {
-    if (!scene_load(scene, options->operands[0], error))
+    if (!scene_open_load(scene, options, error))
         return false;
     bool good = scene_open_tell(&scene->notes, options, false, error);
     if (!good)

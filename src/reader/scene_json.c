@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "reader/scene_bulk.h"
 #include "reader/scene_objects.h"
+#include "json/json_edit.h"
 #include "json/json_read.h"
 
 #include <float.h>
@@ -273,12 +274,53 @@ static bool load_text(SceneWay way, Scene *scene, const char *path, char *text, 
     return json_take(&json, path, text, length, error) && finish_load(scene, &json, NULL);
 }
 
-bool scene_load(Scene *scene, const char *path, Error *error)
+/* --- Edits --- */
+
+/* Takes over the text and returns the edited one. NULL where an edit fails. */
+static char *apply(char *text, const SceneEdit *edits, int count, Error *error)
+{
+    for (int i = 0; text && i < count; i++) {
+        Error reason = {.kind = ERROR_NONE};
+        char *edited = json_edit(text, edits[i].path, edits[i].value, &reason);
+        if (!edited)
+            error_set(error, reason.kind, "%s: %s", edits[i].origin, reason.text);
+        free(text);
+        text = edited;
+    }
+    return text;
+}
+
+/* Adds the edits to a message about the scene. */
+static bool fail_edited(const SceneEdit *edits, int count, const Error *reason, Error *error)
+{
+    char list[512] = "";
+    for (int i = 0; i < count; i++) {
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, " %s", edits[i].origin);
+    }
+    return error_set(error, reason->kind, count > 0 ? "%s\nread with%s" : "%s%s", reason->text, list);
+}
+
+bool scene_load_edited(Scene *scene, const char *path, const SceneEdit *edits, int count, Error *error)
 {
     long length = 0;
+    Error reason = {.kind = ERROR_NONE};
     *scene = (Scene){0};
     char *text = text_read_input(path, JSON_MAX_BYTES, &length, error);
-    return text && load_text(SCENE_WAY_ANY, scene, text_input_name(path), text, length, error);
+    bool sound = text && (count == 0 || !json_scan(text, length).place);
+    if (text && sound && count > 0) {
+        text = apply(text, edits, count, error);
+        length = text ? (long)strlen(text) : 0;
+    }
+    if (!text)
+        return false;
+    return load_text(SCENE_WAY_ANY, scene, text_input_name(path), text, length, &reason) ||
+           fail_edited(edits, sound ? count : 0, &reason, error);
+}
+
+bool scene_load(Scene *scene, const char *path, Error *error)
+{
+    return scene_load_edited(scene, path, NULL, 0, error);
 }
 
 bool scene_parse(Scene *scene, const char *path, const char *text, long length, Error *error)

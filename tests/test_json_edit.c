@@ -1,0 +1,107 @@
+/* Values put into a JSON text by their paths: where paths lead, what they add, and ten thousand that lead nowhere. */
+#include "json/json_edit.h"
+#include "json/json_scan.h"
+
+#include "support/xorshift.h"
+
+#include "unity.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void setUp(void) {}
+
+void tearDown(void) {}
+
+static const char TEXT[] =
+    "{ \"camera\": {\"position\": [0, 5, -1]},\n  \"materials\": {\"light grey\": {\"ka\": 1}},\n"
+    "  \"lights\": [{\"on\": true}, {}], \"name\": \"a, [b] {c\" }";
+
+static void assert_edit(const char *expected, const char *path, const char *value)
+{
+    Error error = {.kind = ERROR_NONE};
+    char *text = json_edit(TEXT, path, value, &error);
+    TEST_ASSERT_NOT_NULL_MESSAGE(text, error.text);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(text, expected), text);
+    TEST_ASSERT_NULL(json_scan(text, (long)strlen(text)).place);
+    free(text);
+}
+
+static void assert_refused(const char *expected, const char *path, const char *value)
+{
+    Error error = {.kind = ERROR_NONE};
+    TEST_ASSERT_NULL(json_edit(TEXT, path, value, &error));
+    TEST_ASSERT_EQUAL(ERROR_USAGE, error.kind);
+    TEST_ASSERT_EQUAL_STRING(expected, error.text);
+}
+
+static void json_edit_should_replace_a_value(void)
+{
+    assert_edit("\"position\": [0, 7.5, -1]}", "camera.position[1]", "7.5");
+    assert_edit("{\"position\": [1, 2, 3]},\n", "camera.position", "[1, 2, 3]");
+    assert_edit("{\"light grey\": {\"ka\": 2}}", "materials[\"light grey\"].ka", "2");
+    assert_edit("[{\"on\": false}, {}]", "lights[0].on", "false");
+    assert_edit("\"name\": 3 }", "name", "3");
+}
+
+static void json_edit_should_quote_a_word(void)
+{
+    assert_edit("\"name\": \"ray\" }", "name", "ray");
+    assert_edit("\"name\": \"two words\" }", "name", "two words");
+    assert_edit("\"name\": \"5\" }", "name", "\"5\"");
+    assert_edit("\"name\": \"\" }", "name", "");
+}
+
+static void json_edit_should_add_a_key(void)
+{
+    assert_edit("\"camera\": {\"up\": [0, 0, 1], \"position\"", "camera.up", "[0, 0, 1]");
+    assert_edit("[{\"on\": true}, {\"on\": 1}]", "lights[1].on", "1");
+    assert_edit("{\"shading\": {\"viewer\": \"ray\"},  \"camera\"", "shading.viewer", "ray");
+    assert_edit("{\"a\": {\"b\": {\"c\": 0}},  \"camera\"", "a.b.c", "0");
+}
+
+static void json_edit_should_tell_how_far_a_path_leads(void)
+{
+    assert_refused("lights has no [2]", "lights[2].on", "0");
+    assert_refused("camera.position has no x", "camera.position.x", "0");
+    assert_refused("the scene has no [0]", "[0]", "0");
+    assert_refused("a path is made of keys and indices, such as lights[0].position[1]", "", "0");
+    assert_refused("a path is made of keys and indices, such as lights[0].position[1]", "camera..position", "0");
+    assert_refused("a path is made of keys and indices, such as lights[0].position[1]", "lights[x]", "0");
+    assert_refused("the value is neither JSON nor a plain word", "name", "a\"b");
+}
+
+/* Whatever the path and the value: there is an error, or a text. */
+static void json_edit_should_survive_ten_thousand_paths(void)
+{
+    static const char *const pieces[] = {"camera", "position", "lights", "name", "[0]", "[1]", "[99999999999999999999]",
+                                         ".",      "[",        "]",      "\"",   "[\"", "\"]", "light grey",
+                                         "\\",     "\n",       "{",      ",",    "on",  "=",   "[-1]"};
+    enum { PIECES = sizeof pieces / sizeof *pieces };
+    uint64_t state = 1;
+    int edited = 0;
+    for (int i = 0; i < 10000; i++) {
+        char path[160] = "", value[80] = "";
+        for (uint64_t left = random_next(&state) % 6; left > 0; left--)
+            strcat(path, pieces[random_next(&state) % PIECES]);
+        for (uint64_t left = random_next(&state) % 3; left > 0; left--)
+            strcat(value, pieces[random_next(&state) % PIECES]);
+        Error error = {.kind = ERROR_NONE};
+        char *text = json_edit(TEXT, path, value, &error);
+        TEST_ASSERT_EQUAL_MESSAGE(text == NULL, error.kind != ERROR_NONE, path);
+        edited += text != NULL;
+        free(text);
+    }
+    TEST_ASSERT_GREATER_THAN(100, edited);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(json_edit_should_replace_a_value);
+    RUN_TEST(json_edit_should_quote_a_word);
+    RUN_TEST(json_edit_should_add_a_key);
+    RUN_TEST(json_edit_should_tell_how_far_a_path_leads);
+    RUN_TEST(json_edit_should_survive_ten_thousand_paths);
+    return UNITY_END();
+}
