@@ -1,8 +1,9 @@
 /* Why a node is entered or passed over: boxes and rays whose crossings can be told by hand, then all nodes that the
- * pixels of a scene meet. */
+ * pixels of a scene meet. What all pixels of three scenes count is what the renderer counts. */
 #include "walkthrough/walkthrough_node.h"
 
 #include "reader/scene_json.h"
+#include "trace/reference.h"
 #include "unity.h"
 
 static const Box box = {{1, 2, 3}, {2, 4, 6}};
@@ -108,6 +109,72 @@ static void the_reasons_of_a_scene_should_be_those_of_its_boxes(void)
         TEST_ASSERT_TRUE_MESSAGE(seen[verdict] > 0, walkthrough_node_verdicts[verdict]);
 }
 
+/* --- Counts --- */
+
+/* What the rays of the told sample were tested against. */
+typedef struct Counts {
+    uint64_t nodes, nodes_in_tallies, faces;
+} Counts;
+
+static void count_events(Counts *counts, const Walkthrough *walk)
+{
+    for (long i = 0; i < walk->count; i++) {
+        const Event *event = &walk->events[i];
+        counts->nodes += event->kind == EVENT_NODE;
+        if (event->kind == EVENT_TALLY) {
+            counts->nodes_in_tallies += (uint64_t)event->as.tally.nodes_met;
+            counts->faces += (uint64_t)event->as.tally.tested;
+        }
+    }
+}
+
+/* Every pixel: its bytes without a tree, and what the renderer counts with this tree. */
+static void check_counts(const char *path, const Scene *scene, AccelKind kind)
+{
+    Error error = {.kind = ERROR_NONE};
+    Accel accel;
+    TEST_ASSERT_TRUE(accel_build(&accel, scene, kind, 1, &error));
+    RenderReport report = {0}, unused = {0};
+    Tracer with_tree = {.scene = scene, .accel = &accel, .report = &report};
+    Tracer without = {.scene = scene, .report = &unused};
+    Counts counts = {0};
+    for (int k = 0; k < scene->screen.columns * scene->screen.rows; k++) {
+        WalkthroughRequest request = {.column = k % scene->screen.columns, .row = k / scene->screen.columns};
+        char message[160];
+        snprintf(message, sizeof message, "%s, %dx%d, %s, pixel %d,%d", path, scene->screen.columns, scene->screen.rows,
+                 render_accels[kind], request.column, request.row);
+        Walkthrough walk;
+        TEST_ASSERT_TRUE(walkthrough_record(&walk, scene, &accel, path, request, &error));
+        Vec3 plain = reference_pixel(&without, request.column, request.row);
+        reference_pixel(&with_tree, request.column, request.row);
+        const unsigned char bytes[3] = {colour_to_byte(plain.x), colour_to_byte(plain.y), colour_to_byte(plain.z)};
+        TEST_ASSERT_EQUAL_UINT8_ARRAY_MESSAGE(bytes, walk.events[walk.count - 1].as.pixel.rgb, 3, message);
+        count_events(&counts, &walk);
+        TEST_ASSERT_EQUAL_UINT64_MESSAGE(report.box_tests, counts.nodes, message);
+        TEST_ASSERT_EQUAL_UINT64_MESSAGE(report.box_tests, counts.nodes_in_tallies, message);
+        TEST_ASSERT_EQUAL_UINT64_MESSAGE(report.face_tests, counts.faces, message);
+        walkthrough_free(&walk);
+    }
+    TEST_ASSERT_TRUE((counts.nodes > 0) == (kind != ACCEL_NONE));
+    accel_free(&accel);
+}
+
+static void the_events_of_all_pixels_should_be_as_many_as_the_renderer_counts(void)
+{
+    static const char *const paths[] = {"scenes/original.json", "scenes/cornell.json", "scenes/gallery.json"};
+    for (int i = 0; i < 3; i++) {
+        Scene scene;
+        Error error = {.kind = ERROR_NONE};
+        TEST_ASSERT_TRUE_MESSAGE(scene_load(&scene, paths[i], &error), error.text);
+        scene.screen.columns = 64;
+        scene.screen.rows = 36;
+        scene.grid = 1;
+        for (AccelKind kind = ACCEL_NONE; kind <= ACCEL_BVH; kind++)
+            check_counts(paths[i], &scene, kind);
+        scene_free(&scene);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -115,5 +182,6 @@ int main(void)
     RUN_TEST(reasons_should_name_axes_and_times);
     RUN_TEST(the_near_child_should_be_the_one_that_the_ray_meets_first);
     RUN_TEST(the_reasons_of_a_scene_should_be_those_of_its_boxes);
+    RUN_TEST(the_events_of_all_pixels_should_be_as_many_as_the_renderer_counts);
     return UNITY_END();
 }

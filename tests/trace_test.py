@@ -555,6 +555,23 @@ class Options(CommandTest):
             self.assertLessEqual(widest(out), columns)
         out, _ = self.run_program("trace", "scene.json", "--pixel", "4,3", "--width", "79", status=2)
 
+    def test_no_word_of_a_real_scene_is_broken_at_any_width(self):
+        """The words of 80, 100 and 120 columns are those of 160. Names in tables may be cut, and then end in dots."""
+        def words_of(text):
+            return {word for word in text.split() if re.search("[a-z]", word) and "..." not in word
+                    and not re.search(r"\d", word)}
+        for name, pixels in (("original", ("40,36", "70,3")), ("cornell", ("162,441", "300,100")),
+                             ("gallery", ("900,380", "965,320")), ("mirrors", ("320,180",))):
+            scene = os.path.join(HERE, f"scenes/{name}.json")
+            for pixel in pixels:
+                for more in ((), ("--accel=kdtree", "--verbose"), ("--arithmetic=textbook", "--grid=1")):
+                    texts = {width: self.run_program("trace", scene, "--pixel", pixel, f"--width={width}", *more)[0]
+                             .decode() for width in (80, 100, 120, 160)}
+                    for width, text in texts.items():
+                        with self.subTest(f"rectray trace {scene} --pixel {pixel} --width {width} {' '.join(more)}"):
+                            self.assertLessEqual(max(map(len, text.splitlines())), width)
+                            self.assertEqual(words_of(text) - words_of(texts[160]), set())
+
     def test_the_summary_is_short_and_ends_with_the_bytes_of_the_picture(self):
         """Of pixels all over three scenes; with RECTRAY_SOAK of a thousand."""
         longest = 0

@@ -38,6 +38,15 @@ static TableLayout layout_of(const Ink *ink)
     return ink->columns >= INK_COLUMNS ? (TableLayout){10, 16, 12, " "} : (TableLayout){6, 12, 11, ""};
 }
 
+/* A number with as many digits, at most six, as its column has room for. */
+static InkText value_of(double x, const TableLayout *at)
+{
+    InkText text = ink_number(x, 6);
+    for (int digits = 5; ink_width(text.text) > at->value && digits > 2; digits--)
+        text = ink_number(x, digits);
+    return text;
+}
+
 static void print_table_head(WalkthroughText *text)
 {
     TableLayout at = layout_of(&text->ink);
@@ -100,10 +109,10 @@ static void print_tested(WalkthroughText *text, int face, const FaceTest *test, 
     TableLayout at = layout_of(ink);
     bool left = test->verdict == FACE_LEFT;
     InkText name = walkthrough_face_words(scene, face, at.name), none = ink_text("-");
-    InkText t = test->verdict == FACE_PARALLEL || left ? none : ink_number(test->t, 6);
+    InkText t = test->verdict == FACE_PARALLEL || left ? none : value_of(test->t, &at);
     fprintf(ink->out, "%*d  %s%*s %*s %*s %*s   %s  %s\n", at.number, scene->faces[face].number, name.text,
-            at.name - ink_width(name.text), "", at.value, left ? "-" : ink_number(test->n_dot_r, 6).text, at.value,
-            left ? "-" : ink_number(test->n_dot_o_plus_d, 6).text, at.value, t.text,
+            at.name - ink_width(name.text), "", at.value, left ? "-" : value_of(test->n_dot_r, &at).text, at.value,
+            left ? "-" : value_of(test->n_dot_o_plus_d, &at).text, at.value, t.text,
             signs_of(ink, test, at.between).text, verdict);
     if (text->walk->request.verbose && test->edges > 0) {
         InkText values = {""};
