@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """`rectray trace` from outside: its JSON keeps to the schema and holds all that a pixel's colour is made of, its OBJ
 and SVG are read back, and every mistake gets its message and its exit status."""
+import base64
 import fcntl
 import glob
 import json
@@ -309,8 +310,9 @@ class Drawings(CommandTest):
                 name = "{http://www.w3.org/2000/svg}"
                 self.assertEqual(root.tag, name + "svg")
                 titles = [e.text for e in root.iter(name + "text") if e.get("class") == "title"]
-                self.assertEqual(len(set(titles)), 2)
-                self.assertTrue(all(title.startswith("seen from") for title in titles))
+                self.assertEqual(len(set(titles)), 3)
+                self.assertTrue(all(title.startswith("seen from") for title in titles[:2]))
+                self.assertTrue(titles[2].startswith("the picture on its screen"))
                 labels = [e.text for e in root.iter(name + "text") if e.get("class") == "label"]
                 self.assertTrue(any("C" in label for label in labels))
                 self.assertNotIn(b"nan", out)
@@ -336,8 +338,10 @@ class Drawings(CommandTest):
                 "objects": [{"material": "m", "vertices": tile, "faces": [[0, 1, 2, 3]]}]}))
             svg = self.run_program("trace", "scene.json", "--face", "objects[0]", "--format", "svg")[0].decode()
             root = xml.etree.ElementTree.fromstring(svg)
-            labels = {e.text: float(e.get("x")) for e in root.iter("{http://www.w3.org/2000/svg}text")
-                      if e.get("class") == "label"}
+            labels = {}
+            for e in root.iter("{http://www.w3.org/2000/svg}text"):
+                if e.get("class") == "label":
+                    labels.setdefault(e.text, float(e.get("x")))
             column = int(re.search(r"Pixel \((\d+)", svg)[1])
             self.assertLess(column, 4)
             titles = [e.text for e in root.iter("{http://www.w3.org/2000/svg}text") if e.get("class") == "title"]
@@ -351,13 +355,59 @@ class Drawings(CommandTest):
         self.assertIn("light 0</text>", svg)
         gallery = os.path.join(HERE, "scenes/gallery.json")
         svg = self.run_program("trace", gallery, "--pixel", "900,380", "--format", "svg")[0].decode()
-        self.assertEqual(svg.count("class='frame'"), 4)
+        self.assertEqual(svg.count("class='frame'"), 5)
         self.assertEqual(svg.count("class='zoom'"), 2)
         self.assertIn("url(#to4)", svg)
         plain = self.run_program("trace", gallery, "--pixel", "965,320", "--format", "svg")[0].decode()
-        self.assertEqual(plain.count("class='frame'"), 2)
+        self.assertEqual(plain.count("class='frame'"), 3)
         for light in range(3):
             self.assertIn(f"light {light}", plain)
+
+    def test_the_picture_stands_on_its_screen(self):
+        """The matrix places it on the screen's outline, not mirrored, and the point Q on its pixel."""
+        original, gallery = (os.path.join(HERE, f"scenes/{name}.json") for name in ("original", "gallery"))
+        for scene, pixel, as_in_svg in ((original, (13, 50), ()), (original, (70, 5), ()),
+                                        (gallery, (900, 380), ("--size=128x72", "--grid=2"))):
+            words = ("trace", scene, "--pixel", "%d,%d" % pixel, "--format")
+            svg = self.run_program(*words, "svg")[0].decode()
+            image = re.search(r"<image [^>]*matrix\(([^)]*)\)' href='data:image/png;base64,([^']*)'", svg)
+            a, b, c, d, e, f = map(float, image[1].split())
+            self.assertGreater(a * d - b * c, 0)
+            panel = svg[svg.index("the picture on its screen"):]
+            outline = re.search(r"class='screen' d='M([^Z]*)Z", panel)[1]
+            corners = [tuple(map(float, corner.split())) for corner in outline.split("L")]
+            for corner, (x, y) in zip(corners, ((0, 0), (1, 0), (1, 1), (0, 1))):
+                self.assertAlmostEqual(corner[0], a * x + c * y + e, delta=0.2)
+                self.assertAlmostEqual(corner[1], b * x + d * y + f, delta=0.2)
+            sample = json.loads(self.run_program(*words, "json")[0])["scene"]
+            columns, rows = (sample[key] for key in ("columns", "rows"))
+            x, y = (pixel[0] + 0.5) / columns, (pixel[1] + 0.5) / rows
+            q = re.findall(r"<circle cx='([^']*)' cy='([^']*)'", panel)[1]  # after C
+            self.assertAlmostEqual(float(q[0]), a * x + c * y + e, delta=0.5)
+            self.assertAlmostEqual(float(q[1]), b * x + d * y + f, delta=0.5)
+            self.run_program("render", scene, "-b", "reference", "-q", "-o", "a.png", *as_in_svg)
+            self.assertEqual(png_pixels(base64.b64decode(image[2])), png_pixels(self.bytes_of("a.png")))
+
+    def test_faces_that_rays_meet_are_whole_or_marked_where_they_are_cut(self):
+        words = ("trace", os.path.join(HERE, "scenes/original.json"), "--pixel", "40,36", "--format", "svg")
+        svg = self.run_program(*words)[0].decode()
+        self.assertIn("goes on beyond", svg)  # the floor is 400 long
+        zigzags = re.findall(r"class='hit cut' d='M([^']*)'", svg)
+        for zigzag in zigzags[:-1]:  # the last one is the legend's
+            points = [tuple(map(float, point.split())) for point in zigzag.split("L")]
+            on_an_edge = [min(abs(x - 60), abs(x - 535), abs(x - 605), abs(x - 1080), abs(y - 90), abs(y - 500)) < 0.1
+                          for x, y in points]
+            self.assertTrue(all(on_an_edge[::2]), zigzag)
+        self.assertGreater(len(zigzags), 3)
+        scene = os.path.join(HERE, "scenes/gallery.json")
+        svg = self.run_program("trace", scene, "--pixel", "965,320", "--format", "svg")[0].decode()
+        self.assertNotIn(" cut'", svg.split("</style>", 2)[2])
+        met = re.findall(r"class='(?:hit|blocker)' d='M([^Z]*)Z", svg)
+        self.assertEqual(len(met), 6)  # two hits and the ceiling, in two views
+        for face in met:
+            for x, y in (map(float, point.split()) for point in face.split("L")):
+                self.assertTrue(60 <= x <= 535 or 605 <= x <= 1080, face)
+                self.assertTrue(90 <= y <= 500, face)
 
     def test_the_svg_draws_the_boxes_of_a_tree(self):
         words = ("trace", SCENES[1], "--pixel", "3,12", "--format")
@@ -366,7 +416,7 @@ class Drawings(CommandTest):
             entered = {event["node"] for event in events if event["event"] == "node" and event["entered"]}
             passed = {event["node"] for event in events if event["event"] == "node"} - entered
             svg = self.run_program(*words, "svg", "-a", accel)[0].decode()
-            views = svg.count("class='frame'")
+            views = svg.count("class='frame'") - 1  # the last one is the screen
             self.assertEqual(svg.count("<rect class='entered'"), views * len(entered))
             self.assertEqual(svg.count("<rect class='passed'"), views * len(passed))
         self.assertNotIn("<rect class='entered'", self.run_program(*words, "svg")[0].decode())
@@ -447,7 +497,8 @@ class Options(CommandTest):
             svg = self.run_program("trace", "scene.json", "--pixel", "1,1", "--format", "svg",
                                    "--bounces", bounces)[0].decode()
             for label in labels:
-                self.assertEqual(svg.count(f">{label}</text>"), 2, label) # in either view
+                views = svg.split("the picture on its screen")[0]
+                self.assertEqual(views.count(f">{label}</text>"), 2, label) # in either view
 
     def test_a_sample_that_adaptive_sampling_left_out_is_refused(self):
         words = ("--size", "160x90", "--sampling", "adaptive:6")

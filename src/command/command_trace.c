@@ -5,6 +5,7 @@
 #include "command/pager.h"
 #include "command/scene_open.h"
 #include "command/scene_override.h"
+#include "command/trace_picture.h"
 #include "trace/accel.h"
 #include "trace/adaptive.h"
 #include "walkthrough/ink.h"
@@ -92,7 +93,7 @@ static int columns_of(const Options *options)
     return columns > INK_MOST_COLUMNS ? INK_MOST_COLUMNS : columns;
 }
 
-static WalkthroughStyle style_of(const Options *options, bool to_stdout)
+static WalkthroughStyle style_of(const Options *options, bool to_stdout, const WalkthroughPicture *picture)
 {
     bool colour =
         options->colour == COLOUR_ALWAYS || (options->colour == COLOUR_AUTO && to_stdout && ink_wants_colour(stdout));
@@ -101,6 +102,7 @@ static WalkthroughStyle style_of(const Options *options, bool to_stdout)
         .colour = colour ? ink_terminal_colour() : INK_PLAIN,
         .columns = to_stdout ? columns_of(options) : options->width,
         .with_scene = options->with_scene,
+        .picture = picture,
     };
 }
 
@@ -157,11 +159,12 @@ static bool write_paged(const Options *options, const Walkthrough *walks, Walkth
     return written;
 }
 
-static bool write_file(const Options *options, const Walkthrough *walks, Error *error)
+static bool write_file(const Options *options, const Walkthrough *walks, const WalkthroughPicture *picture,
+                       Error *error)
 {
     const char *path = options->output;
     bool to_stdout = !path || strcmp(path, "-") == 0;
-    WalkthroughStyle style = style_of(options, to_stdout);
+    WalkthroughStyle style = style_of(options, to_stdout, picture);
     if (to_stdout && options->format == WALKTHROUGH_TEXT && !options->no_pager && isatty(STDOUT_FILENO))
         return write_paged(options, walks, style, error);
     if (to_stdout)
@@ -208,8 +211,9 @@ static bool record(const Options *options, const Scene *scene, const Accel *acce
         .j = options->sample_j,
         .verbose = options->verbose,
     };
+    bool drawn = options->format == WALKTHROUGH_OBJ || options->format == WALKTHROUGH_SVG;
     return walkthrough_record(walk, scene, accel, text_input_name(options->operands[0]), request, error) &&
-           walkthrough_look_around(walk, error);
+           (drawn || walkthrough_look_around(walk, error));
 }
 
 static bool trace(const Options *options, const Scene *scene, Error *error)
@@ -219,7 +223,11 @@ static bool trace(const Options *options, const Scene *scene, Error *error)
     bool done = accel_build(&accel, scene, accel_kind(options), 1, error);
     for (int i = 0; i < options->pixel_count && done; i++)
         done = record(options, scene, &accel, i, &walks[i], error);
-    done = done && write_file(options, walks, error);
+    WalkthroughPicture picture = {.base64 = NULL};
+    bool drawn = options->format == WALKTHROUGH_SVG;
+    done = done && (!drawn || trace_picture_make(&picture, scene, error));
+    done = done && write_file(options, walks, drawn ? &picture : NULL, error);
+    trace_picture_free(&picture);
     for (int i = 0; i < options->pixel_count; i++)
         walkthrough_free(&walks[i]);
     accel_free(&accel);

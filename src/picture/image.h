@@ -7,6 +7,8 @@
 
 #include "picture/image_format.h"
 
+#include <stddef.h>
+
 enum { IMAGE_MAX_SIDE = 16384 }; /* columns, rows */
 
 typedef struct ImageWriter ImageWriter;
@@ -55,5 +57,8 @@ void image_free(Image *image);
 
 /* Writes a whole image. */
 bool image_write(const Image *image, const char *path, Error *error);
+
+/* The PNG of a whole image in memory. *png, NULL before, is the caller's to free, also after a failure. */
+bool image_encode(const Image *image, char **png, size_t *size, Error *error);
 
 #endif

@@ -121,13 +121,30 @@ void image_writer_abort(ImageWriter *writer)
     free(writer);
 }
 
+static bool write_whole(ImageWriter *writer, const Image *image, Error *error)
+{
+    if (image_writer_rows(writer, image->rgb, image->rows, error))
+        return image_writer_commit(writer, error);
+    image_writer_abort(writer);
+    return false;
+}
+
 bool image_write(const Image *image, const char *path, Error *error)
 {
     ImageWriter *writer = image_writer_open(path, image->columns, image->rows, error);
+    return writer && write_whole(writer, image, error);
+}
+
+bool image_encode(const Image *image, char **png, size_t *size, Error *error)
+{
+    ImageWriter *writer = writer_new(image->columns, image->rows, error);
     if (!writer)
         return false;
-    if (image_writer_rows(writer, image->rgb, image->rows, error))
-        return image_writer_commit(writer, error);
+    writer->output = (Output){.file = open_memstream(png, size), .what = "the picture", .path = strdup("-")};
+    if (!writer->output.file || !writer->output.path)
+        error_memory(error, "the picture");
+    else if (write_header(writer, error)) /* closing the stream may want memory, too */
+        return write_whole(writer, image, error) && (*png || error_memory(error, "the picture"));
     image_writer_abort(writer);
     return false;
 }

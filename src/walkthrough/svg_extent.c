@@ -3,8 +3,9 @@
 
 #include "walkthrough/walkthrough_lines.h"
 
-#define CLOSE 0.07    /* closer together than this part of the drawing, two hits are shown larger */
-#define FAR_LIGHT 1.5 /* farther from the path than so many of its sizes, a light is outside the window */
+#define CLOSE 0.07     /* closer together than this part of the drawing, two hits are shown larger */
+#define LARGE_FACE 1.5 /* a face that would make the drawing so many times as large is not shown whole */
+#define FAR_LIGHT 1.5  /* farther from the path than so many of its sizes, a light is outside the window */
 
 static void include(SvgExtent *extent, Vec3 p)
 {
@@ -17,7 +18,8 @@ static void measure_line(SvgExtent *extent, Vec3 from, Vec3 to)
     include(extent, from);
     include(extent, to);
     for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++) {
-        SvgPoint a = svg_flatten((SvgProjection){k, false}, from), b = svg_flatten((SvgProjection){k, false}, to);
+        SvgPoint a = svg_flatten((SvgProjection){.direction = k}, from);
+        SvgPoint b = svg_flatten((SvgProjection){.direction = k}, to);
         extent->lengths[k] += hypot(b.x - a.x, b.y - a.y);
     }
 }
@@ -46,6 +48,31 @@ static void measure_light(void *user, const WalkthroughLine *line)
         measure_line(extent, line->from, line->to);
 }
 
+/* A face that a ray meets, whole, unless it is too large. */
+static void include_face(SvgExtent *extent, const Scene *scene, int index)
+{
+    const Face *face = &scene->faces[index];
+    SvgExtent larger = *extent;
+    for (int k = 0; k < face->vertex_count; k++)
+        include(&larger, walkthrough_world(scene, face_vertex(face, k)));
+    double size = vec3_largest(vec3_sub(extent->high, extent->low));
+    if (vec3_largest(vec3_sub(larger.high, larger.low)) <= LARGE_FACE * size)
+        *extent = larger;
+}
+
+static void include_faces(SvgExtent *extent, const Walkthrough *walk)
+{
+    WalkthroughPlace place = {0};
+    for (long i = 0; i < walk->count; i++) {
+        const Event *event = &walk->events[i];
+        walkthrough_follow(&place, walk, event);
+        if (place.told && event->kind == EVENT_HIT)
+            include_face(extent, walk->scene, event->as.hit.face);
+        else if (place.told && event->kind == EVENT_LIGHT_END && event->as.light_end.blocker >= 0)
+            include_face(extent, walk->scene, event->as.light_end.blocker);
+    }
+}
+
 SvgExtent svg_extent_of(const Walkthrough *walk)
 {
     Vec3 camera = walkthrough_world(walk->scene, walk->scene->camera.position);
@@ -54,6 +81,7 @@ SvgExtent svg_extent_of(const Walkthrough *walk)
     extent.farthest_light = FAR_LIGHT * vec3_length(vec3_sub(extent.high, extent.low));
     walkthrough_lines(walk, measure_light, &extent);
     walkthrough_lines(walk, measure_stop, &extent);
+    include_faces(&extent, walk);
     return extent;
 }
 

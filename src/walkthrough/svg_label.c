@@ -5,7 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#define LETTER_WIDTH 8.0
+#define LETTER_WIDTH 8.5
+#define SPACE 4.0 /* beside a label */
 #define LETTER_HEIGHT 14.0
 
 static double overlap(const SvgBox *a, const SvgBox *b)
@@ -41,7 +42,7 @@ enum { RINGS = 4, PLACES_ON_RING = 16 };
 static SvgBox label_box(const SvgLabel *label, int ring, int place)
 {
     double angle = 2 * 3.14159265358979 * place / PLACES_ON_RING, distance = 10 + 12 * ring;
-    double width = LETTER_WIDTH * (double)strlen(label->text), height = LETTER_HEIGHT;
+    double width = LETTER_WIDTH * (double)strlen(label->text) + SPACE, height = LETTER_HEIGHT;
     /* The box touches the circle of that distance: its centre is half its size farther out. */
     double x = label->at.x + cos(angle) * (distance + width / 2);
     double y = label->at.y - sin(angle) * (distance + height / 2);

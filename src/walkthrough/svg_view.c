@@ -13,28 +13,35 @@ static const struct {
     {"seen from above", "x", "z"}, /* z runs downwards, as on a map whose reader stands in front */
     {"seen from the side", "z", "y"},
     {"seen from the front", "x", "y"},
+    {"the picture on its screen; dashed: beyond it", "", ""},
 };
 
 SvgProjection svg_projection(SvgDirection direction, const Scene *scene)
 {
     View view = view_of(scene);
+    if (direction == SVG_FROM_BEHIND) {
+        Vec3 gaze = vec3_sub(vec3_sub(vec3_unit(view.forward), view.right), vec3_scale(0.6, view.up));
+        Vec3 across = vec3_unit(vec3_cross(gaze, view.up));
+        return (SvgProjection){direction, false, across, vec3_unit(vec3_cross(across, gaze))};
+    }
     bool along_z = fabs(view.forward.z) >= fabs(view.forward.x);
     /* Along its own axis a view must not be mirrored against the picture; across it the camera looks to the right. */
     if (direction == SVG_FROM_SIDE)
-        return (SvgProjection){direction, along_z ? view.forward.z < 0 : view.right.z < 0};
-    return (SvgProjection){direction, along_z ? view.right.x < 0 : view.forward.x < 0};
+        return (SvgProjection){.direction = direction, .turned = along_z ? view.forward.z < 0 : view.right.z < 0};
+    return (SvgProjection){.direction = direction, .turned = along_z ? view.right.x < 0 : view.forward.x < 0};
 }
 
 SvgPoint svg_flatten(SvgProjection projection, Vec3 p)
 {
     double sign = projection.turned ? -1 : 1;
+    if (projection.direction == SVG_FROM_BEHIND)
+        return (SvgPoint){vec3_dot(projection.across, p), vec3_dot(projection.upwards, p)};
     if (projection.direction == SVG_FROM_ABOVE)
         return (SvgPoint){sign * p.x, -sign * p.z};
     return (SvgPoint){sign * (projection.direction == SVG_FROM_SIDE ? p.z : p.x), p.y};
 }
 
-/* Where a position is on the paper. */
-static SvgPoint project(const SvgView *view, Vec3 p)
+SvgPoint svg_place(const SvgView *view, Vec3 p)
 {
     SvgPoint flat = svg_flatten(view->projection, p);
     double x = view->box.left + (flat.x - view->left) * view->scale;
@@ -104,7 +111,11 @@ static void draw_axes(const SvgView *view)
             left ? "" : " \xE2\x86\x92");
     fprintf(view->out, "<text class='axis' x='%.1f' y='%.1f' text-anchor='end'>%s %s</text>\n", box->left - 5,
             down ? box->bottom + 30 : box->top - 10, y, down ? "\xE2\x86\x93" : "\xE2\x86\x91");
-    fprintf(view->out, "<text class='title' x='%.1f' y='%.1f'>%s</text>\n", box->left + 4, box->top - 10,
+}
+
+static void draw_title(const SvgView *view)
+{
+    fprintf(view->out, "<text class='title' x='%.1f' y='%.1f'>%s</text>\n", view->box.left + 4, view->box.top - 10,
             directions[view->projection.direction].title);
 }
 
@@ -123,7 +134,9 @@ void svg_view_begin(SvgView *view, FILE *out, int number, SvgProjection projecti
             box.left, box.top, box.right - box.left, box.bottom - box.top);
     fprintf(out, "<rect class='paper' x='%.1f' y='%.1f' width='%.1f' height='%.1f'/>\n", box.left, box.top,
             box.right - box.left, box.bottom - box.top);
-    draw_axes(view);
+    if (projection.direction != SVG_FROM_BEHIND)
+        draw_axes(view);
+    draw_title(view);
     fprintf(out, "<g clip-path='url(#panel%d)'>\n", number);
 }
 
@@ -135,7 +148,7 @@ void svg_face(const SvgView *view, const Scene *scene, int face, const char *sty
     SvgBox around = {1e9, 1e9, -1e9, -1e9};
     int count = scene->faces[face].vertex_count;
     for (int k = 0; k < count; k++) {
-        corners[k] = project(view, vec3_add(face_vertex(&scene->faces[face], k), scene->centre));
+        corners[k] = svg_place(view, vec3_add(face_vertex(&scene->faces[face], k), scene->centre));
         around.left = fmin(around.left, corners[k].x);
         around.right = fmax(around.right, corners[k].x);
         around.top = fmin(around.top, corners[k].y);
@@ -159,7 +172,7 @@ void svg_rectangle(const SvgView *view, SvgPoint low, SvgPoint high, const char 
 
 void svg_line(SvgView *view, Vec3 from, Vec3 to, const char *style)
 {
-    SvgPoint a = project(view, from), b = project(view, to);
+    SvgPoint a = svg_place(view, from), b = svg_place(view, to);
     fprintf(view->out, "<path %s d='M%.1f %.1fL%.1f %.1f'/>\n", style, a.x, a.y, b.x, b.y);
     if (view->line_count < SVG_LINES_MAX)
         view->lines[view->line_count++] = (SvgBox){a.x, a.y, b.x, b.y};
@@ -167,7 +180,7 @@ void svg_line(SvgView *view, Vec3 from, Vec3 to, const char *style)
 
 void svg_cross(const SvgView *view, Vec3 p, const char *colour)
 {
-    SvgPoint at = project(view, p);
+    SvgPoint at = svg_place(view, p);
     fprintf(view->out, "<path stroke='%s' stroke-width='2' d='M%.1f %.1fl10 10m0 -10l-10 10'/>\n", colour, at.x - 5,
             at.y - 5);
 }
@@ -175,6 +188,9 @@ void svg_cross(const SvgView *view, Vec3 p, const char *colour)
 /* Adds a name to a label that another mark has already. */
 static void join_label(SvgLabel *label, const char *text)
 {
+    const char *same = strstr(label->text, text);
+    if (same && (same[strlen(text)] == '\0' || same[strlen(text)] == ','))
+        return;
     size_t used = strlen(label->text), room = sizeof label->text - 4;
     if (used + 2 + strlen(text) < room)
         snprintf(label->text + used, sizeof label->text - used, ", %s", text);
@@ -184,7 +200,7 @@ static void join_label(SvgLabel *label, const char *text)
 
 bool svg_is_seen(const SvgView *view, Vec3 p)
 {
-    SvgPoint at = project(view, p);
+    SvgPoint at = svg_place(view, p);
     return at.x >= view->box.left && at.x <= view->box.right && at.y >= view->box.top && at.y <= view->box.bottom;
 }
 
@@ -218,7 +234,7 @@ static void add_label(SvgView *view, SvgPoint at, const char *text, const char *
 void svg_mark(SvgView *view, Vec3 p, Vec3 seen_from, const char *text, const char *colour)
 {
     if (svg_is_seen(view, p)) {
-        SvgPoint at = project(view, p);
+        SvgPoint at = svg_place(view, p);
         fprintf(view->out, "<circle cx='%.1f' cy='%.1f' r='4' fill='%s' stroke='#fff'/>\n", at.x, at.y, colour);
     }
     svg_end_label(view, p, seen_from, text, colour);
@@ -226,16 +242,16 @@ void svg_mark(SvgView *view, Vec3 p, Vec3 seen_from, const char *text, const cha
 
 void svg_end_label(SvgView *view, Vec3 p, Vec3 seen_from, const char *text, const char *colour)
 {
-    SvgPoint at = project(view, p);
+    SvgPoint at = svg_place(view, p);
     if (!svg_is_seen(view, p) && !svg_is_seen(view, seen_from))
         return; /* in a zoom: neither end is in it */
-    add_label(view, svg_is_seen(view, p) ? at : way_out(&view->box, project(view, seen_from), at), text, colour);
+    add_label(view, svg_is_seen(view, p) ? at : way_out(&view->box, svg_place(view, seen_from), at), text, colour);
 }
 
 void svg_arrow_out(const SvgView *view, Vec3 seen_from, Vec3 p, const char *style)
 {
     const double length = 24;
-    SvgPoint from = project(view, seen_from), at = way_out(&view->box, from, project(view, p));
+    SvgPoint from = svg_place(view, seen_from), at = way_out(&view->box, from, svg_place(view, p));
     double distance = hypot(at.x - from.x, at.y - from.y);
     double part = distance > length ? length / distance : 1;
     if (svg_is_seen(view, seen_from) && distance > 0)

@@ -14,13 +14,21 @@ typedef struct SvgPoint {
     double x, y;
 } SvgPoint;
 
-typedef enum SvgDirection { SVG_FROM_ABOVE, SVG_FROM_SIDE, SVG_FROM_FRONT, SVG_DIRECTION_COUNT } SvgDirection;
+/* Along the axes, and from behind the camera, to its right and above it. */
+typedef enum SvgDirection {
+    SVG_FROM_ABOVE,
+    SVG_FROM_SIDE,
+    SVG_FROM_FRONT,
+    SVG_DIRECTION_COUNT,
+    SVG_FROM_BEHIND = SVG_DIRECTION_COUNT
+} SvgDirection;
 
-/* From where a view is taken. Each can be turned about the vertical by half a turn, so that the camera looks the way in
- * which the picture shows it: away from the reader, or to the right. */
+/* From where a view is taken. One along an axis can be turned about the vertical by half a turn, so that the camera
+ * looks the way in which the picture shows it: away from the reader, or to the right. */
 typedef struct SvgProjection {
     SvgDirection direction;
     bool turned;
+    Vec3 across, upwards; /* from behind: unit vectors along the paper */
 } SvgProjection;
 
 /* A box of the paper, in pixels, y downwards. */
@@ -53,6 +61,9 @@ SvgProjection svg_projection(SvgDirection direction, const Scene *scene);
 /* What a view shows of a position: x to the right, y upwards, in the scene's units. */
 SvgPoint svg_flatten(SvgProjection projection, Vec3 p);
 
+/* Where a position is on the paper. */
+SvgPoint svg_place(const SvgView *view, Vec3 p);
+
 /* Begins a drawing of so many pixels with its title and the style of text, axes and faces. */
 void svg_sheet_begin(FILE *out, int width, int height, const char *title);
 
@@ -66,6 +77,9 @@ void svg_view_begin(SvgView *view, FILE *out, int number, SvgProjection projecti
 
 /* A face with an SVG style. Faces that are wholly outside the window are left out. */
 void svg_face(const SvgView *view, const Scene *scene, int face, const char *style);
+
+/* Marks where the panel's edge cuts a face off: a zigzag along that edge (svg_cut.c). Returns whether there is one. */
+bool svg_cut(const SvgView *view, const Scene *scene, int face, const char *style);
 
 /* A rectangle of the window, in the scene's units. */
 void svg_rectangle(const SvgView *view, SvgPoint low, SvgPoint high, const char *style);

@@ -20,11 +20,18 @@ extern const char *const walkthrough_format_words[];
 /* Which parts of the text and of the JSON are written: the summary and the steps, or one of them. */
 typedef enum WalkthroughParts { WALKTHROUGH_WHOLE, WALKTHROUGH_SUMMARY, WALKTHROUGH_STEPS } WalkthroughParts;
 
+/* The scene's picture, for drawings in which it stands on its screen. */
+typedef struct WalkthroughPicture {
+    char *base64; /* of its PNG */
+    bool reduced; /* it has fewer pixels than the scene asks for */
+} WalkthroughPicture;
+
 typedef struct WalkthroughStyle {
     WalkthroughParts parts;
     InkColour colour;                        /* text */
     int columns;                             /* text: of a line; 0: INK_COLUMNS */
     bool with_scene;                         /* OBJ: the scene's faces, too */
+    const WalkthroughPicture *picture;       /* SVG; NULL: the screen stays empty */
     const WalkthroughStepListener *listener; /* text: is told of each step; NULL: nobody is */
 } WalkthroughStyle;
 

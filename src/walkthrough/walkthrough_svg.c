@@ -1,191 +1,44 @@
-/* The walkthrough as an SVG drawing: the scene and the path in two orthographic views, the two that show most of it.
- * The hits are P1, P2, ... as in the text. Primary and reflected rays are solid, shadow rays thin, and those that a
- * face stops dashed up to the light that they do not reach. */
+/* The walkthrough as an SVG drawing: the scene and the path in two orthographic views, the two that show most of it,
+ * and the picture on its screen. The hits are P1, P2, ... as in the text. Primary and reflected rays are solid, shadow
+ * rays thin, and those that a face stops dashed up to the light that they do not reach. */
 #include "walkthrough/ink.h"
-#include "walkthrough/svg_extent.h"
-#include "walkthrough/svg_view.h"
-#include "walkthrough/walkthrough_boxes.h"
+#include "walkthrough/svg_panel.h"
+#include "walkthrough/svg_screen.h"
+#include "walkthrough/svg_strokes.h"
 #include "walkthrough/walkthrough_formats.h"
-#include "walkthrough/walkthrough_lines.h"
 
-#include <string.h>
-
-enum { WIDTH = 1100, LIGHTS_MAX = 100, FACES_MAX = 5000, CAPTIONS_TOP = 606, CAPTION_HEIGHT = 19, CAPTIONS_MAX = 8 };
-
-#define LIGHT_COLOUR "#a87400"
+enum { WIDTH = 1100, CAPTION_HEIGHT = 19, CAPTIONS_MAX = 12 };
 
 static const SvgBox panels[2] = {{60, 90, 535, 500}, {605, 90, 1080, 500}};
 
 /* Where hits are close together a second row of panels shows them larger. */
-static const SvgBox zooms[2] = {{60, 620, 535, 1030}, {605, 620, 1080, 1030}};
+static const SvgBox zooms[2] = {{60, 630, 535, 1040}, {605, 630, 1080, 1040}};
 enum { ZOOM_HEIGHT = 490 };
 
-/* How each kind of line is drawn. Shifts are far too short to be. */
-static const struct {
-    const char *name, *colour, *width;
-} strokes[] = {
-    [LINE_PRIMARY] = {"primary", "#1f5fa8", "2.4"}, [LINE_REFLECTED] = {"reflected", "#b5449a", "2.4"},
-    [LINE_SHADOW] = {"shadow", "#c98a00", "1.4"},   [LINE_BLOCKED] = {"blocked", "#c0392b", "1.4;stroke-dasharray:6 5"},
-    [LINE_NORMAL] = {"normal", "#3a9a5b", "1.6"},
-};
+/* Below, the picture on its screen. */
+enum { SCREEN_TOP = 630, SCREEN_HEIGHT = 290 };
 
-/* --- A panel --- */
-
-typedef struct Painter {
-    SvgView view;
-    const Walkthrough *walk;
-    bool lights_marked[LIGHTS_MAX];
-} Painter;
-
-static void draw_faces(const Painter *painter)
-{
-    const Walkthrough *walk = painter->walk;
-    for (int i = 0; i < walk->scene->face_count && walk->scene->face_count <= FACES_MAX; i++)
-        svg_face(&painter->view, walk->scene, i, "class='face'");
-    WalkthroughPlace place = {0};
-    for (long i = 0; i < walk->count; i++) {
-        const Event *event = &walk->events[i];
-        walkthrough_follow(&place, walk, event);
-        if (place.told && event->kind == EVENT_HIT)
-            svg_face(&painter->view, walk->scene, event->as.hit.face, "class='hit'");
-        else if (place.told && event->kind == EVENT_LIGHT_END && event->as.light_end.blocker >= 0)
-            svg_face(&painter->view, walk->scene, event->as.light_end.blocker, "class='blocker'");
-    }
-}
-
-static void draw_line(void *user, const WalkthroughLine *line)
-{
-    static const char *const styles[] = {
-        [LINE_PRIMARY] = "class='primary' marker-end='url(#to1)'",
-        [LINE_REFLECTED] = "class='reflected' marker-end='url(#to2)'",
-        [LINE_SHADOW] = "class='shadow'",
-        [LINE_BLOCKED] = "class='blocked'",
-        [LINE_NORMAL] = "class='normal' marker-end='url(#to3)'",
-    };
-    Painter *painter = user;
-    if (line->kind == LINE_SHIFT)
-        return;
-    svg_line(&painter->view, line->from, line->to, styles[line->kind]);
-    if (line->kind == LINE_BLOCKED)
-        svg_cross(&painter->view, line->stop, strokes[LINE_BLOCKED].colour);
-}
-
-static void draw_mark(void *user, const WalkthroughLine *line)
-{
-    Painter *painter = user;
-    SvgView *view = &painter->view;
-    if (line->kind == LINE_PRIMARY)
-        svg_mark(view, line->from, line->from, "C", "#222");
-    if (line->kind == LINE_NORMAL && svg_is_seen(view, line->from))
-        svg_mark(view, line->from, line->from, ink_text("P%d", line->hit).text, "#222");
-    if (line->leaves)
-        svg_end_label(view, line->to, line->from, "out", strokes[line->kind].colour);
-    if ((line->kind != LINE_SHADOW && line->kind != LINE_BLOCKED) || line->light >= LIGHTS_MAX)
-        return;
-    if (painter->lights_marked[line->light] && svg_is_seen(view, line->to))
-        return; /* from another hit */
-    painter->lights_marked[line->light] = true;
-    const char *words = svg_is_seen(view, line->to) ? "light %d" : "to light %d";
-    svg_mark(view, line->to, line->from, ink_text(words, line->light).text, LIGHT_COLOUR);
-    if (!svg_is_seen(view, line->to))
-        svg_arrow_out(view, line->from, line->to, "class='shadow' marker-end='url(#to4)'");
-}
-
-/* The lights to which no ray goes, since they are behind the faces. */
-static void mark_other_lights(Painter *painter)
-{
-    SvgView *view = &painter->view;
-    const Scene *scene = painter->walk->scene;
-    WalkthroughPlace place = {0};
-    for (long i = 0; i < painter->walk->count; i++) {
-        const Event *event = &painter->walk->events[i];
-        walkthrough_follow(&place, painter->walk, event);
-        if (!place.told || event->kind != EVENT_LIGHT || event->as.light.light >= LIGHTS_MAX ||
-            painter->lights_marked[event->as.light.light])
-            continue;
-        Vec3 light = walkthrough_world(scene, event->as.light.position);
-        Vec3 from = walkthrough_world(scene, place.hit->as.hit.point);
-        const char *words = svg_is_seen(view, light) ? "light %d" : "to light %d";
-        painter->lights_marked[event->as.light.light] = true;
-        svg_mark(view, light, from, ink_text(words, event->as.light.light).text, LIGHT_COLOUR);
-        if (!svg_is_seen(view, light))
-            svg_arrow_out(view, from, light, "class='shadow' marker-end='url(#to4)'");
-    }
-}
-
-static void draw_node(void *user, const WalkthroughBox *box)
-{
-    const Painter *painter = user;
-    SvgPoint a = svg_flatten(painter->view.projection, box->corners[0]);
-    SvgPoint b = svg_flatten(painter->view.projection, box->corners[7]);
-    svg_rectangle(&painter->view, (SvgPoint){fmin(a.x, b.x), fmin(a.y, b.y)},
-                  (SvgPoint){fmax(a.x, b.x), fmax(a.y, b.y)}, box->entered ? "class='entered'" : "class='passed'");
-}
-
-/* A window of the flattened scene. */
-typedef struct Window {
-    SvgPoint low, high;
-} Window;
-
-static Window window_of(SvgProjection projection, const SvgExtent *extent)
-{
-    SvgPoint a = svg_flatten(projection, extent->low), b = svg_flatten(projection, extent->high);
-    return (Window){{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
-}
-
-/* A panel, and in it the outline of what another one shows larger; zoom: NULL where none does. */
-static bool draw_panel(FILE *out, const Walkthrough *walk, SvgDirection direction, SvgBox box, int number,
-                       const SvgExtent *extent, const SvgExtent *zoom, Error *error)
-{
-    Painter painter = {.walk = walk};
-    SvgProjection projection = svg_projection(direction, walk->scene);
-    Window window = window_of(projection, extent);
-    svg_view_begin(&painter.view, out, number, projection, box, window.low, window.high);
-    draw_faces(&painter);
-    bool done = walkthrough_boxes(walk, draw_node, &painter, error);
-    if (zoom) {
-        Window part = window_of(projection, zoom);
-        svg_rectangle(&painter.view, part.low, part.high, "class='zoom'");
-    }
-    walkthrough_lines(walk, draw_line, &painter);
-    walkthrough_lines(walk, draw_mark, &painter);
-    mark_other_lights(&painter);
-    svg_view_end(&painter.view);
-    return done;
-}
-
-/* --- The sheet --- */
-
-static int count_captions(const Walkthrough *walk)
-{
-    WalkthroughPlace place = {0};
-    int count = 0;
-    for (long i = 0; i < walk->count; i++) {
-        walkthrough_follow(&place, walk, &walk->events[i]);
-        count += place.told && walk->events[i].kind == EVENT_HIT && count < CAPTIONS_MAX;
-    }
-    return count;
-}
-
-static void draw_head(FILE *out, const Walkthrough *walk, int more)
+static void draw_head(FILE *out, const Walkthrough *walk, int height)
 {
     const unsigned char *rgb = walk->events[walk->count - 1].as.pixel.rgb;
-    int height = CAPTIONS_TOP + CAPTION_HEIGHT * count_captions(walk) + 4 + more;
     svg_sheet_begin(out, WIDTH, height, ink_text("Pixel (%d, %d)", walk->request.column, walk->request.row).text);
     fprintf(out, "<style>\n.hit{fill:#3a9a5b;fill-opacity:.18;stroke:#3a9a5b;stroke-width:1.5}\n"
                  ".blocker{fill:#c0392b;fill-opacity:.15;stroke:#c0392b;stroke-width:1.5}\n"
                  ".entered{fill:none;stroke:#1f8fa8;stroke-width:1.2}\n"
                  ".passed{fill:none;stroke:#1f8fa8;stroke-opacity:.55;stroke-dasharray:2 3}\n"
+                 ".cut{fill:none}.beyond{stroke-dasharray:5 4}\n"
+                 ".screen{fill:none;stroke:#222;stroke-width:1.2}.sight{stroke:#777;stroke-width:.8}\n"
                  ".zoom{fill:none;stroke:#555;stroke-dasharray:5 3}\n");
     for (int k = LINE_PRIMARY; k < LINE_SHIFT; k++)
-        fprintf(out, ".%s{stroke:%s;stroke-width:%s}\n", strokes[k].name, strokes[k].colour, strokes[k].width);
+        fprintf(out, ".%s{stroke:%s;stroke-width:%s}\n", svg_strokes[k].name, svg_strokes[k].colour,
+                svg_strokes[k].width);
     fprintf(out, "</style>\n");
     static const WalkthroughLineKind tipped[] = {LINE_PRIMARY, LINE_REFLECTED, LINE_NORMAL, LINE_SHADOW};
     for (int k = 0; k < 4; k++)
         fprintf(out,
                 "<marker id='to%d' viewBox='0 0 10 10' refX='9' refY='5' markerWidth='%d' markerHeight='%d' "
                 "orient='auto'><path d='M0 0L10 5L0 10z' style='fill:%s'/></marker>\n",
-                k + 1, k < 3 ? 5 : 8, k < 3 ? 5 : 8, strokes[tipped[k]].colour);
+                k + 1, k < 3 ? 5 : 8, k < 3 ? 5 : 8, svg_strokes[tipped[k]].colour);
     fprintf(out, "<text class='big' x='60' y='40'>Pixel (%d, %d) of ", walk->request.column, walk->request.row);
     svg_text(out, ink_name(walk->scene_name, 50).text);
     fprintf(out, "</text>\n<text x='1050' y='40' text-anchor='end'>(%d, %d, %d)</text>\n", rgb[0], rgb[1], rgb[2]);
@@ -201,67 +54,85 @@ static bool has_nodes(const Walkthrough *walk)
     return false;
 }
 
-static void draw_legend(FILE *out, const Walkthrough *walk)
+typedef struct LegendEntry {
+    int x;
+    const char *line, *words;
+} LegendEntry;
+
+static void draw_legend_row(FILE *out, const LegendEntry *entries, int count, int y)
 {
-    static const struct {
-        int x;
-        const char *line, *words;
-    } entries[] = {{60, "primary", "primary ray"},
-                   {225, "reflected", "reflected ray"},
-                   {405, "shadow", "to a light that reaches"},
-                   {650, "blocked", "to a light that is blocked"},
-                   {915, "normal", "normal N"}};
-    for (int k = 0; k < 5; k++)
-        fprintf(out, "<path class='%s' d='M%d 556h34'/><text x='%d' y='560'>%s</text>\n", entries[k].line, entries[k].x,
-                entries[k].x + 42, entries[k].words);
-    if (has_nodes(walk))
-        fprintf(out,
-                "<path class='entered' d='M60 576h34'/><text x='102' y='580'>box of a node that a ray enters</text>\n"
-                "<path class='passed' d='M405 576h34'/><text x='447' y='580'>of one that all pass over</text>\n");
+    for (int k = 0; k < count; k++)
+        fprintf(out, "<path class='%s' d='M%d %dh34'/><text x='%d' y='%d'>%s</text>\n", entries[k].line, entries[k].x,
+                y - 4, entries[k].x + 42, y, entries[k].words);
 }
 
+static void draw_legend(const SvgSheet *sheet)
+{
+    static const LegendEntry lines[] = {{60, "primary", "primary ray"},
+                                        {225, "reflected", "reflected ray"},
+                                        {405, "shadow", "to a light that reaches"},
+                                        {650, "blocked", "to a light that is blocked"},
+                                        {915, "normal", "normal N"}};
+    static const LegendEntry nodes[] = {{225, "entered", "box of a node that a ray enters"},
+                                        {530, "passed", "of one that all pass over"}};
+    static const LegendEntry screen = {60, "screen", "the screen"};
+    draw_legend_row(sheet->out, lines, 5, 560);
+    draw_legend_row(sheet->out, &screen, 1, 580);
+    if (has_nodes(sheet->walk))
+        draw_legend_row(sheet->out, nodes, 2, 580);
+    if (sheet->has_cut) {
+        int x = has_nodes(sheet->walk) ? 790 : 225;
+        fprintf(sheet->out,
+                "<path class='hit cut' d='M%d 576l5 -4l5 4l5 -4l5 4l5 -4l5 4l5 -4'/>"
+                "<text x='%d' y='580'>the face goes on beyond the panel</text>\n",
+                x, x + 42);
+    }
+}
+
+/* A line for each hit, beside the last panel. */
 static void draw_captions(FILE *out, const Walkthrough *walk, int top)
 {
     const Scene *scene = walk->scene;
     WalkthroughPlace place = {0};
-    int lines = 0;
+    int hits = 0;
     for (long i = 0; i < walk->count; i++) {
         const Event *event = &walk->events[i];
         walkthrough_follow(&place, walk, event);
-        if (!place.told || event->kind != EVENT_HIT || lines == CAPTIONS_MAX)
+        if (!place.told || event->kind != EVENT_HIT || hits++ >= CAPTIONS_MAX)
             continue;
         const Face *face = &scene->faces[event->as.hit.face];
-        InkText text = ink_text("P%d", walkthrough_hit_number(&place));
-        fprintf(out, "<text x='60' y='%d'>%s: face %d, ", top + CAPTION_HEIGHT * lines++, text.text, face->number);
-        svg_text(out, ink_name(scene->objects[face->object].name, 40).text);
+        fprintf(out, "<text x='605' y='%d'>P%d: face %d, ", top + CAPTION_HEIGHT * hits, hits, face->number);
+        svg_text(out, ink_name(scene->objects[face->object].name, 20).text);
         fprintf(out, "/%d, of ", walkthrough_face_in_object(scene, event->as.hit.face));
-        svg_text(out, ink_name(scene->materials[face->material].name, 40).text);
-        fprintf(out, ", with weight %s</text>\n", ink_number(place.weight, 6).text);
+        svg_text(out, ink_name(scene->materials[face->material].name, 14).text);
+        fprintf(out, ", with weight %s</text>\n", ink_number(place.weight, 4).text);
     }
-    if (scene->face_count > FACES_MAX)
-        fprintf(out,
-                "<text x='1080' y='%d' text-anchor='end'>Of %d faces only those that are hit or in the way.</text>\n",
-                top, scene->face_count);
+    if (hits > CAPTIONS_MAX)
+        fprintf(out, "<text x='605' y='%d'>and %d more</text>\n", top + CAPTION_HEIGHT * (CAPTIONS_MAX + 1),
+                hits - CAPTIONS_MAX);
+    if (scene->face_count > SVG_FACES_MAX)
+        fprintf(out, "<text x='605' y='%d'>Of %d faces only those that are hit or in the way are drawn.</text>\n",
+                top + CAPTION_HEIGHT * (CAPTIONS_MAX + 2), scene->face_count);
 }
 
 bool walkthrough_write_svg(FILE *out, const Walkthrough *walk, WalkthroughStyle style, Error *error)
 {
-    (void)style;
-    SvgExtent extent = svg_extent_of(walk), close;
-    SvgDirection left_out = svg_extent_least_shown(&extent);
-    bool zoom = svg_extent_of_close_hits(walk, &extent, &close), done = true;
-    draw_head(out, walk, zoom ? ZOOM_HEIGHT : 0);
-    int panel = 0;
+    SvgSheet sheet = {.out = out, .walk = walk, .extent = svg_extent_of(walk), .error = error};
+    SvgDirection left_out = svg_extent_least_shown(&sheet.extent);
+    sheet.has_zoom = svg_extent_of_close_hits(walk, &sheet.extent, &sheet.close);
+    int top = SCREEN_TOP + (sheet.has_zoom ? ZOOM_HEIGHT : 0), panel = 0;
+    draw_head(out, walk, top + SCREEN_HEIGHT + 20);
     for (SvgDirection k = SVG_FROM_ABOVE; k < SVG_DIRECTION_COUNT; k++) {
         if (k == left_out)
             continue;
-        done = done && draw_panel(out, walk, k, panels[panel], (int)k, &extent, zoom ? &close : NULL, error);
-        if (zoom)
-            done = done && draw_panel(out, walk, k, zooms[panel], (int)(SVG_DIRECTION_COUNT + k), &close, NULL, error);
+        svg_panel(&sheet, k, panels[panel], false);
+        if (sheet.has_zoom)
+            svg_panel(&sheet, k, zooms[panel], true);
         panel++;
     }
-    draw_legend(out, walk);
-    draw_captions(out, walk, CAPTIONS_TOP + (zoom ? ZOOM_HEIGHT : 0));
+    draw_legend(&sheet);
+    svg_screen_panel(out, walk, style.picture, (SvgBox){60, top, 535, top + SCREEN_HEIGHT}, 2 * SVG_DIRECTION_COUNT);
+    draw_captions(out, walk, top - 8);
     fprintf(out, "</svg>\n");
-    return done;
+    return !sheet.failed;
 }
