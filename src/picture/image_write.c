@@ -121,30 +121,30 @@ void image_writer_abort(ImageWriter *writer)
     free(writer);
 }
 
-static bool write_whole(ImageWriter *writer, const Image *image, Error *error)
+bool image_write(const Image *image, const char *path, Error *error)
 {
+    ImageWriter *writer = image_writer_open(path, image->columns, image->rows, error);
+    if (!writer)
+        return false;
     if (image_writer_rows(writer, image->rgb, image->rows, error))
         return image_writer_commit(writer, error);
     image_writer_abort(writer);
     return false;
 }
 
-bool image_write(const Image *image, const char *path, Error *error)
-{
-    ImageWriter *writer = image_writer_open(path, image->columns, image->rows, error);
-    return writer && write_whole(writer, image, error);
-}
-
 bool image_encode(const Image *image, char **png, size_t *size, Error *error)
 {
-    ImageWriter *writer = writer_new(image->columns, image->rows, error);
-    if (!writer)
-        return false;
-    writer->output = (Output){.file = open_memstream(png, size), .what = "the picture", .path = strdup("-")};
-    if (!writer->output.file || !writer->output.path)
-        error_memory(error, "the picture");
-    else if (write_header(writer, error)) /* closing the stream may want memory, too */
-        return write_whole(writer, image, error) && (*png || error_memory(error, "the picture"));
-    image_writer_abort(writer);
-    return false;
+    Output output = {.file = open_memstream(png, size), .what = "the picture", .path = strdup("-")};
+    if (!output.file || !output.path) {
+        output_abort(&output);
+        return error_memory(error, "the picture");
+    }
+    PngWriter *writer = png_writer_open(&output, image->columns, image->rows, 8, error);
+    bool done = writer && png_writer_rows(writer, image->rgb, image->rows, error) && png_writer_end(writer, error);
+    png_writer_free(writer);
+    if (!done)
+        output_abort(&output);
+    else if (output_commit(&output, error) && *png) /* closing the stream may want memory, too */
+        return true;
+    return error->kind != ERROR_NONE ? false : error_memory(error, "the picture");
 }
