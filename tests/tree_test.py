@@ -100,6 +100,21 @@ class Steps(CommandTest):
                 text = self.run_program("trace", GALLERY, "--pixel", "9,9", "-a", accel, "-v")[0].decode()
                 self.assertIn(f"cut by {plane[1]} = {plane[2]} at", " ".join(text.split()))
 
+    def test_every_plane_is_listed_where_all_are_wanted(self):
+        row = re.compile(r"(?m)^ +(\S+) +(\d+) +(\d+) +(\S+)( +cheapest)?$")
+        for accel in ("kdtree", "bvh"):
+            words = ("tree", GALLERY, "-a", accel, "--step", "6")
+            few, many = (self.run_program(*words, *more)[0].decode() for more in ((), ("--verbose",)))
+            self.assertIn("the 8 cheapest:", few)
+            self.assertNotIn("the 8 cheapest:", many)
+            for step, whole in zip(few.split("Step ")[1:], many.split("Step ")[1:]):
+                shown, tried = row.findall(step), row.findall(whole)
+                counts = [int(count) for count in re.findall(r"(?m)^    [xyz]: (\d+) plane", whole)]
+                self.assertEqual(len(tried), sum(counts))
+                self.assertLessEqual(set(shown), set(tried))
+                self.assertEqual([plane for plane in shown if plane[4]], [plane for plane in tried if plane[4]])
+                self.assertEqual(len(shown), sum(min(count, 8) for count in counts))
+
 
 class Drawing(CommandTest):
     def test_the_svg_is_well_formed_and_has_a_rectangle_for_each_node(self):

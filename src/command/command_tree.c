@@ -154,7 +154,7 @@ static bool show_one(const Options *options, const Scene *scene, Error *error)
     AccelKind kind = options->settings.accel == ACCEL_AUTO ? ACCEL_BVH : options->settings.accel;
     bool done = build(&built, scene, kind, error);
     if (done && options->steps > 0)
-        done = tree_steps_print(scene, &built.accel, options->steps, error);
+        done = tree_steps_print(scene, &built.accel, options->steps, options->verbose, error);
     else if (done && !options->output)
         print_table(scene, &built, 1);
     if (done && options->output)

@@ -321,6 +321,7 @@ const Option option_table[] = {
      WORD(settings.accel, render_accels)},
     {"step", 0, "N", "tree", "show the first N nodes with the planes that were tried and their costs",
      NUMBER(steps, 1, 1000)},
+    {"verbose", 'v', NULL, "tree", "with --step: every plane, not only the 8 cheapest across each axis", FLAG(verbose)},
     {"lanes", 0, "N", "render cast bench", "rays that an OpenCL work-item traces: 1, 4, 8 or 16",
      OWN(set_lanes), .words = lane_words},
     {"no-skip", 0, "NAMES", "render", "do work that the scene needs not: all, or names such as tree,mirrors",

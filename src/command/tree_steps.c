@@ -5,12 +5,13 @@
 
 #include <stdio.h>
 
-/* Of the planes across an axis, at most so many are listed: the cheapest. */
+/* Of the planes across an axis, at most so many are listed: the cheapest. Unless all are wanted. */
 enum { PLANES_LISTED = 8 };
 
 typedef struct Printer {
     const Scene *scene;
     const Accel *accel;
+    bool all_planes;
 } Printer;
 
 static int count_across(const TreeStep *step, int axis)
@@ -40,12 +41,13 @@ static void print_axis(const Printer *printer, const TreeStep *step, int axis)
         return;
     }
     printf("    %c: %d plane%s", "xyz"[axis], count, count == 1 ? "" : "s");
-    printf(count > PLANES_LISTED ? ", the %d cheapest:\n" : ":\n", PLANES_LISTED);
+    bool all = printer->all_planes || count <= PLANES_LISTED;
+    printf(all ? ":\n" : ", the %d cheapest:\n", PLANES_LISTED);
     printf("      %12s %8s %8s %12s\n", "at", "low", "high", "cost");
     double centre = vec3_component(printer->scene->centre, axis);
     for (int i = 0; i < step->candidate_count; i++) {
         const TreeCandidate *candidate = &step->candidates[i];
-        if (candidate->axis == axis && (count <= PLANES_LISTED || rank_of(step, i) < PLANES_LISTED))
+        if (candidate->axis == axis && (all || rank_of(step, i) < PLANES_LISTED))
             printf("      %12.6g %8d %8d %12.6g%s\n", candidate->plane + centre, candidate->low, candidate->high,
                    candidate->cost, i == step->chosen ? "  cheapest" : "");
     }
@@ -89,8 +91,8 @@ static void print_step(void *user, const TreeStep *step)
     print_choice(printer, step);
 }
 
-bool tree_steps_print(const Scene *scene, const Accel *accel, int count, Error *error)
+bool tree_steps_print(const Scene *scene, const Accel *accel, int count, bool all_planes, Error *error)
 {
-    Printer printer = {scene, accel};
+    Printer printer = {scene, accel, all_planes};
     return tree_steps(scene, accel, count, print_step, &printer, error);
 }
