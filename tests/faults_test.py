@@ -17,7 +17,9 @@ FAULTS = os.path.join(os.path.dirname(PROGRAM), "faults")
 with open(PROGRAM, "rb") as program:
     SANITIZED = b"__asan_init" in program.read()
 
-MODEL = "mtllib model.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\nusemtl pink\nf 1 2 3\n"
+MODEL = ("mtllib Model.mtl none.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0 1 1 1\no square\nusemtl late\nf 1 2 3 4\nv 0 1 0\n"
+         "o half\nusemtl red\nf 1 2 3\nusemtl pink\nf 1 2 3\nl 1 2\nmtllib model.mtl\n")
+LIBRARY = "newmtl red\nKd 1 0 0\nKs 1 1 1\nillum 3\nmap_Kd x.png\nd 0.5\nnewmtl red\nnewmtl late\nKa 1 1 1\n"
 
 
 class FaultTest(CommandTest):
@@ -92,12 +94,12 @@ class Memory(FaultTest):
 
     def test_reading_a_model(self):
         self.put("model.obj", MODEL)
-        self.put("model.mtl", "newmtl red\nKd 1 0 0\n")
+        self.put("model.mtl", LIBRARY)
         self.put("model.json", """{"camera": {"position": [0, 0, 1], "look_at": [0, 0, 0]},
             "screen": {"columns": 4, "rows": 3}, "lights": [], "materials": {"pink": {}}, "objects": [
             {"material": "pink", "obj": "model.obj", "transform": [{"scale": 2}]},
             {"material": "pink", "box": {"min": [2, 2, 2], "max": [3, 3, 3]}}]}""")
-        self.every("check", "model.json")
+        self.every("check", "model.json", "-q")
 
     def test_render(self):
         for accel in ("none", "bvh", "kdtree"):

@@ -4,6 +4,7 @@
 #include "base/text.h"
 
 #include <dirent.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -17,6 +18,8 @@ static const char BLANKS[] = " \t\v\f";
 static char *entry_of_any_case(const char *folder, const char *name, Error *error)
 {
     DIR *entries = opendir(*folder ? folder : ".");
+    if (!entries && errno == ENOMEM)
+        error_memory(error, "a folder");
     char *found = NULL;
     int count = 0;
     for (struct dirent *entry; entries && (entry = readdir(entries));)
@@ -75,6 +78,13 @@ static bool ends_in_mtl(const char *word, const char *end)
     return end - word >= 4 && strncasecmp(end - 4, ".mtl", 4) == 0;
 }
 
+void library_name_free(LibraryName *library)
+{
+    free(library->name);
+    free(library->path);
+    *library = (LibraryName){0};
+}
+
 /* The text between two places as a name, with the file that it means. False without memory. */
 static bool take(LibraryName *library, const char *model, const char *begin, const char *end, Error *error)
 {
@@ -85,7 +95,10 @@ static bool take(LibraryName *library, const char *model, const char *begin, con
     memcpy(library->name, begin, length);
     library->name[length] = '\0';
     library->path = library_path(model, library->name, &library->as_written, error);
-    return error->kind == ERROR_NONE;
+    if (error->kind == ERROR_NONE)
+        return true;
+    library_name_free(library);
+    return false;
 }
 
 bool library_name_next(LibraryName *library, const char *model, char **rest, Error *error)
@@ -102,19 +115,14 @@ bool library_name_next(LibraryName *library, const char *model, char **rest, Err
     }
     for (int i = count - 1; i >= 0; i--) {
         *rest = ends[i];
-        if (!take(library, model, begin, ends[i], error) || library->path)
-            return error->kind == ERROR_NONE;
+        if (!take(library, model, begin, ends[i], error))
+            return false;
+        if (library->path)
+            return true;
         library_name_free(library);
     }
     if (count == 0)
         return false;
     *rest = missing ? missing : ends[count - 1];
     return take(library, model, begin, *rest, error);
-}
-
-void library_name_free(LibraryName *library)
-{
-    free(library->name);
-    free(library->path);
-    *library = (LibraryName){0};
 }
