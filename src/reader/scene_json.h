@@ -16,8 +16,8 @@ typedef struct SceneEdit {
     const char *origin; /* for messages: the option that asks for it, with its value */
 } SceneEdit;
 
-/* scene_load of the file with the edits in it, one after the other. The file itself stays as it is. A fault of a path is
- * an ERROR_USAGE that begins with the edit's origin; one of the scene says with which edits it was read. */
+/* scene_load of the file with the edits in it, one after the other. The file itself stays as it is. A fault of a path
+ * is an ERROR_USAGE that begins with the edit's origin; one of the scene says with which edits it was read. */
 bool scene_load_edited(Scene *scene, const char *path, const SceneEdit *edits, int count, Error *error);
 
 /* The same for `length` bytes of text; `path` stands in messages, and models are looked for beside it. */
