@@ -707,11 +707,23 @@ class Choosing(CommandTest):
         out = diff("40,36", "42,36")
         self.assertIn("They part at P2: the first one hits cube1/4, the second one leaves the scene.", out)
         self.assertRegex(out, r"bytes +\(97, 74, 97\) +\(67, 67, 67\)")
-        self.assertNotIn("P1 lights", out)
+        self.assertNotRegex(out, "(?m)^P1 light 0  ")
         self.assertLessEqual(max(map(len, out.splitlines())), 80)
         self.assertIn("They take the same path, and the same lights reach it.", diff("40,36", "40,36"))
         self.assertEqual(len(diff("40,36", "40,36").splitlines()), 3)
         self.assertEqual(diff("40,36", "42,36", "0,0").count("They part at"), 2)
+        events = [json.loads(self.run_program("trace", original, "--pixel", pixel, "-f", "json")[0])["events"]
+                  for pixel in ("40,36", "42,36")]
+        rows = [re.split("  +", row) for row in out.splitlines()[3:]]
+        q = [next(event["q"] for event in side if event["event"] == "sample") for side in events]
+        self.assertEqual(rows[0], ["Q", *("(" + ", ".join(f"{x:.4g}" for x in side) + ")" for side in q)])
+        hits = [[event for event in side if event["event"] == "hit"] for side in events]
+        points = ["(" + ", ".join(f"{x:.4g}" for x in side[0]["point"]) + ")" for side in hits]
+        self.assertIn(["P1 at", *points], rows)
+        self.assertNotIn("P1", [row[0] for row in rows])  # the same face
+        self.assertIn(["P2", "cube1/4", "none: out of the scene"], rows)
+        self.assertIn(["P2 light 0", "reaches it", "-"], rows)
+        self.assertTrue(all(a != b for _, a, b in rows))
         lights = diff("300,300", "256,470", scene=os.path.join(HERE, "scenes/cornell.json"))
         self.assertIn("They part at", lights)
         for words in (("--pixel", "1,1"), ("--pixel", "1,1", "--pixel", "2,2", "-f", "json")):

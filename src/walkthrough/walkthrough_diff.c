@@ -1,13 +1,14 @@
 /* Where the walkthroughs of two pixels part. */
 #include "walkthrough/walkthrough_diff.h"
 
+#include "walkthrough/walkthrough_diff_events.h"
 #include "walkthrough/walkthrough_summary.h"
 #include "walkthrough/walkthrough_summary_lights.h"
 #include "walkthrough/walkthrough_words.h"
 
 #include <string.h>
 
-enum { SIDES = 2, DIGITS = 4 };
+enum { SIDES = 2 };
 
 typedef struct Diff {
     const Ink *ink;
@@ -66,40 +67,6 @@ static void print_parting(const Diff *diff)
         ink_paragraph(diff->ink, "They take the same path, and the same lights reach it.");
 }
 
-/* --- What is not the same --- */
-
-/* A row of the table, unless both sides say the same; a side that is too wide gets a line of its own. */
-static void print_row(const Diff *diff, const char *label, InkText a, InkText b)
-{
-    enum { LABEL = 14 };
-    int side = (diff->ink->columns - LABEL - 2) / 2;
-    if (strcmp(a.text, b.text) == 0)
-        return;
-    if (ink_width(a.text) <= side && ink_width(b.text) <= side) {
-        fprintf(diff->ink->out, "%-*s%s%*s  %s\n", LABEL, label, a.text, side - ink_width(a.text), "", b.text);
-        return;
-    }
-    ink_hanging(diff->ink, LABEL, "%-*s%s", LABEL, label, a.text);
-    ink_hanging(diff->ink, LABEL, "%-*s%s", LABEL, "", b.text);
-}
-
-static void print_hit(const Diff *diff, int index)
-{
-    InkText face[SIDES], distance[SIDES], adds[SIDES], lights[SIDES];
-    for (int i = 0; i < SIDES; i++) {
-        const Summary *side = diff->sides[i];
-        const SummaryHit *hit = hit_of(side, index);
-        face[i] = hit ? walkthrough_face_words(side->walk->scene, hit->face, 30) : ink_text("-");
-        distance[i] = hit ? ink_number(hit->distance, DIGITS) : ink_text("-");
-        adds[i] = hit ? ink_vector(hit->contribution, DIGITS) : ink_text("-");
-        lights[i] = hit ? walkthrough_summary_lights(side, hit, 80) : ink_text("-");
-    }
-    print_row(diff, ink_text("P%d", index + 1).text, face[0], face[1]);
-    print_row(diff, ink_text("P%d distance", index + 1).text, distance[0], distance[1]);
-    print_row(diff, ink_text("P%d lights", index + 1).text, lights[0], lights[1]);
-    print_row(diff, ink_text("P%d adds", index + 1).text, adds[0], adds[1]);
-}
-
 static InkText pixel_of(const Summary *summary)
 {
     return ink_text("(%d, %d)", summary->walk->request.column, summary->walk->request.row);
@@ -112,13 +79,7 @@ static void print_diff(const Diff *diff)
             pixel_of(b).text, ink_name(a->walk->scene_name, 40).text, ink_colour(diff->ink, '.'));
     print_parting(diff);
     fputc('\n', diff->ink->out);
-    for (int i = 0; i < a->hit_count || i < b->hit_count; i++)
-        print_hit(diff, i);
-    print_row(diff, "background", a->missed ? ink_vector(a->background, DIGITS) : ink_text("-"),
-              b->missed ? ink_vector(b->background, DIGITS) : ink_text("-"));
-    print_row(diff, "it ends", a->end, b->end);
-    print_row(diff, "bytes", ink_text("(%d, %d, %d)", a->rgb[0], a->rgb[1], a->rgb[2]),
-              ink_text("(%d, %d, %d)", b->rgb[0], b->rgb[1], b->rgb[2]));
+    walkthrough_diff_events(diff->ink, a->walk, b->walk);
 }
 
 bool walkthrough_diff(FILE *out, const Walkthrough *walks, int count, WalkthroughStyle style, Error *error)
