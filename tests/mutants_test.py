@@ -31,6 +31,8 @@ class Mutants(unittest.TestCase):
     def test_each_names_a_test_that_is_there(self):
         known = {f"stress:{name}" for name in stress_tests()}
         known |= {path.stem for path in (ROOT / "tests").glob("test_*.c")}
+        for path in (ROOT / "tests").glob("*_test.py"):
+            known |= {f"{path.stem}:{part}" for part in re.findall(r"(?m)^class (\w+)", path.read_text(encoding="utf-8"))}
         for name, _, test, *_ in MUTANTS:
             with self.subTest(name):
                 self.assertIn(test, known)

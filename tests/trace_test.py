@@ -373,6 +373,7 @@ class Drawings(CommandTest):
             image = re.search(r"<image [^>]*matrix\(([^)]*)\)' href='data:image/png;base64,([^']*)'", svg)
             a, b, c, d, e, f = map(float, image[1].split())
             self.assertGreater(a * d - b * c, 0)
+            self.assertGreater(min(a, d), 0)
             panel = svg[svg.index("the picture on its screen"):]
             outline = re.search(r"class='screen' d='M([^Z]*)Z", panel)[1]
             corners = [tuple(map(float, corner.split())) for corner in outline.split("L")]

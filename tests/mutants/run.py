@@ -43,9 +43,13 @@ def copy_tree(folder):
 
 
 def program_of(test):
+    """What is built for the test, and the command that runs it."""
     if test.startswith("stress:"):
-        return "build/stress", ["--test", test[len("stress:"):], *STRESS]
-    return f"build/tests/{test}", []
+        return "build/stress", ["build/stress", "--test", test[len("stress:"):], *STRESS]
+    suite, _, part = test.partition(":")
+    if suite.endswith("_test"):
+        return "build/rectray", [sys.executable, f"tests/{suite}.py", part]
+    return f"build/tests/{test}", [f"build/tests/{test}"]
 
 
 def try_mutant(folder, mutant):
@@ -59,14 +63,14 @@ def try_mutant(folder, mutant):
     try:
         with open(path, "w", encoding="utf-8") as out:
             out.write(original.replace(before, after))
-        program, arguments = program_of(test)
+        program, command = program_of(test)
         build = subprocess.run(["make", "-s", program, "WERROR="], cwd=folder, capture_output=True, text=True,
                                check=False)
         if build.returncode != 0:
             return False, "does not build: " + (build.stderr.strip().splitlines() or ["?"])[0]
         environment = dict(os.environ, RECTRAY_KERNELS=os.path.abspath(f"{folder}/kernels"))
         try:
-            run = subprocess.run([program, *arguments], cwd=folder, env=environment, capture_output=True, text=True,
+            run = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True,
                                  timeout=TIMEOUT_S, check=False)
         except subprocess.TimeoutExpired:
             return True, "timed out"
