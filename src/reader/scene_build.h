@@ -102,9 +102,6 @@ enum { BUILD_BOX_POINTS = 8, BUILD_BOX_FACES = 6 };
 Vec3 scene_build_corner(Vec3 low, Vec3 high, int i);
 extern const int scene_build_box_faces[BUILD_BOX_FACES][4]; /* the corners of each face */
 
-/* The face's shape, its vertices taken in the order in which the file has them. */
-Shape scene_build_shape(const SceneBuild *build, const SceneBuildFace *face);
-
 /* Moves faces, camera and lights to the scene's centre, rounds the faces and computes their planes. */
 bool scene_build_finish(SceneBuild *build);
 

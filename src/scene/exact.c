@@ -10,24 +10,6 @@ typedef struct Expansion {
     int count;
 } Expansion;
 
-/* Dekker's split into two halves of 26 bits (Shewchuk 1997, theorem 17). */
-static Pair split(double a)
-{
-    double c = 134217729.0 * a; /* 2^27 + 1 */
-    double high = c - (c - a);
-    return (Pair){high, a - high};
-}
-
-/* Dekker's product (Shewchuk 1997, theorem 18); fma would do
- * it in one step but is slow where the processor lacks it. */
-Pair exact_product(double a, double b)
-{
-    double product = a * b;
-    Pair x = split(a), y = split(b);
-    double error = ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low;
-    return (Pair){product, error};
-}
-
 /* Adds one double (Shewchuk 1997, GROW-EXPANSION, theorem 10), leaving out zero terms. */
 static void expansion_add(Expansion *e, double value)
 {

@@ -21,8 +21,23 @@ static inline Pair exact_sum(double a, double b)
     return (Pair){sum, (a - a_seen) + (b - b_seen)};
 }
 
-/* a * b without error. */
-Pair exact_product(double a, double b);
+/* Dekker's split into two halves of 26 bits (Shewchuk 1997, theorem 17). */
+static inline Pair exact_split(double a)
+{
+    double c = 134217729.0 * a; /* 2^27 + 1 */
+    double high = c - (c - a);
+    return (Pair){high, a - high};
+}
+
+/* a * b without error: Dekker's product (Shewchuk 1997, theorem 18). fma would do it in one step but is slow where the
+ * processor lacks it. */
+static inline Pair exact_product(double a, double b)
+{
+    double product = a * b;
+    Pair x = exact_split(a), y = exact_split(b);
+    double error = ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low;
+    return (Pair){product, error};
+}
 
 /* The same of a vector, component by component. */
 typedef struct ExactVec3 {

@@ -4,8 +4,6 @@
 #include <float.h>
 #include <stdbool.h>
 
-static const double PLANARITY = 1e-5, STRAIGHTNESS = 1e-5, ROUNDED_STRAIGHTNESS = 1e-2;
-
 static bool same_point(Vec3 a, Vec3 b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
@@ -81,10 +79,10 @@ Shape shape_of(const Vec3 *v, int count)
     /* Vertex 2 lies in the plane, and vertices 1 and 3 are equally far from it, since N is normal to both diagonals. */
     shape.distance = fabs(vec3_dot(normal, vec3_sub(v[1], v[0]))) / area;
     shape.first = 1;
-    if (shape.distance > PLANARITY * shape.diagonal)
+    if (shape.distance > SHAPE_PLANARITY * shape.diagonal)
         shape.verdict = SHAPE_NOT_PLANAR;
     else
-        check_corners(&shape, v, normal, STRAIGHTNESS);
+        check_corners(&shape, v, normal, SHAPE_STRAIGHTNESS);
     return shape;
 }
 
@@ -97,6 +95,6 @@ Shape shape_of_rounded(const Vec3 *v, int count)
     if (vec3_largest(normal) == 0)
         shape.verdict = SHAPE_NO_AREA;
     else if (count == 4)
-        check_corners(&shape, v, normal, ROUNDED_STRAIGHTNESS);
+        check_corners(&shape, v, normal, SHAPE_ROUNDED_STRAIGHTNESS);
     return shape;
 }

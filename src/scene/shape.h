@@ -5,6 +5,11 @@
 
 #include "base/vec3.h"
 
+/* How far a vertex may be from the plane, in longer diagonals; how far a corner may turn the other way, in areas. */
+#define SHAPE_PLANARITY 1e-5
+#define SHAPE_STRAIGHTNESS 1e-5
+#define SHAPE_ROUNDED_STRAIGHTNESS 1e-2
+
 typedef enum ShapeVerdict {
     SHAPE_GOOD,
     SHAPE_NOT_FINITE,
