@@ -12,6 +12,7 @@
 #include "opencl/backend.h"
 #include "picture/image.h"
 #include "picture/mark.h"
+#include "reader/stage.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -233,8 +234,21 @@ static bool check_mark(const Options *options, const Scene *scene, Error *error)
                      options->mark_column, options->mark_row, screen->columns - 1, screen->rows - 1);
 }
 
+static bool print_stage(const char *path, Error *error)
+{
+    if (!stage_is_model(path))
+        return error_set(error, ERROR_USAGE, "--stage makes a scene for a model; %s does not end in .obj", path);
+    char *text = stage_text(path, error);
+    if (text)
+        fputs(text, stdout);
+    free(text);
+    return text != NULL;
+}
+
 bool command_render(const Options *options, Error *error)
 {
+    if (options->stage)
+        return print_stage(options->operands[0], error);
     double start = clock_ms();
     Scene scene;
     if (!options_agree(options, error))

@@ -9,6 +9,7 @@
 
 #include <assert.h>
 #include <getopt.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { MAX_OPTIONS = 32, LONG_BASE = 256 }; /* getopt_long returns LONG_BASE + place in the table */
@@ -195,6 +196,11 @@ static bool take_operands(Options *options, const Command *command, int count, c
     if (count < command->operands_min)
         return error_set(error, ERROR_USAGE, "%s needs %s; `rectray %s --help` tells more", command->name,
                          command->operands, command->name);
+    int column, row;
+    if (count > command->operands_max && strcmp(command->name, "trace") == 0 &&
+        sscanf(operands[command->operands_max], "%d,%d", &column, &row) == 2)
+        return error_set(error, ERROR_USAGE, "trace does not know what to do with '%s'; did you mean --pixel %s?",
+                         operands[command->operands_max], operands[command->operands_max]);
     if (count > command->operands_max)
         return error_set(error, ERROR_USAGE, "%s does not know what to do with '%s'; `rectray %s --help` tells more",
                          command->name, operands[command->operands_max], command->name);

@@ -2,6 +2,7 @@
 #include "command/scene_open.h"
 
 #include "reader/scene_json.h"
+#include "reader/stage.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -67,6 +68,16 @@ static bool make_edit(EditText *made, const OptionEdit *option, Error *error)
     return true;
 }
 
+/* A model is read as a scene of its own. Its stage has a name without a folder, so that the model's path in it counts
+ * from the working directory. */
+static bool load(Scene *scene, const char *path, SceneEdits edits, Error *error)
+{
+    if (!stage_is_model(path))
+        return scene_load_edited(scene, path, edits, error);
+    char *text = stage_text(path, error);
+    return text && scene_take_edited(scene, "stage", text, edits, error);
+}
+
 bool scene_open_load(Scene *scene, const Options *options, Error *error)
 {
     EditText made[EDITS_MAX] = {{0}};
@@ -77,7 +88,7 @@ bool scene_open_load(Scene *scene, const Options *options, Error *error)
         done = make_edit(&made[i], &options->edits[i], error);
         edits[i] = made[i].edit;
     }
-    done = done && scene_load_edited(scene, options->operands[0], edits, options->edit_count, error);
+    done = done && load(scene, options->operands[0], (SceneEdits){edits, options->edit_count}, error);
     for (int i = 0; i < options->edit_count; i++)
         free(made[i].memory);
     return done;

@@ -301,26 +301,38 @@ static bool fail_edited(const SceneEdit *edits, int count, const Error *reason, 
     return error_set(error, reason->kind, count > 0 ? "%s\nread with%s" : "%s%s", reason->text, list);
 }
 
-bool scene_load_edited(Scene *scene, const char *path, const SceneEdit *edits, int count, Error *error)
+/* Takes over the text. One that is no JSON is not edited: its reader tells why. */
+static bool load_edited(Scene *scene, const char *name, char *text, long length, SceneEdits edits, Error *error)
+{
+    Error reason = {.kind = ERROR_NONE};
+    int count = edits.count > 0 && !json_scan(text, length).place ? edits.count : 0;
+    if (count > 0) {
+        text = apply(text, edits.items, count, error);
+        if (!text)
+            return false;
+        length = (long)strlen(text);
+    }
+    return load_text(SCENE_WAY_ANY, scene, name, text, length, &reason) ||
+           fail_edited(edits.items, count, &reason, error);
+}
+
+bool scene_load_edited(Scene *scene, const char *path, SceneEdits edits, Error *error)
 {
     long length = 0;
-    Error reason = {.kind = ERROR_NONE};
     *scene = (Scene){0};
     char *text = text_read_input(path, JSON_MAX_BYTES, &length, error);
-    bool sound = text && (count == 0 || !json_scan(text, length).place);
-    if (text && sound && count > 0) {
-        text = apply(text, edits, count, error);
-        length = text ? (long)strlen(text) : 0;
-    }
-    if (!text)
-        return false;
-    return load_text(SCENE_WAY_ANY, scene, text_input_name(path), text, length, &reason) ||
-           fail_edited(edits, sound ? count : 0, &reason, error);
+    return text && load_edited(scene, text_input_name(path), text, length, edits, error);
+}
+
+bool scene_take_edited(Scene *scene, const char *name, char *text, SceneEdits edits, Error *error)
+{
+    *scene = (Scene){0};
+    return load_edited(scene, name, text, (long)strlen(text), edits, error);
 }
 
 bool scene_load(Scene *scene, const char *path, Error *error)
 {
-    return scene_load_edited(scene, path, NULL, 0, error);
+    return scene_load_edited(scene, path, (SceneEdits){NULL, 0}, error);
 }
 
 bool scene_parse(Scene *scene, const char *path, const char *text, long length, Error *error)

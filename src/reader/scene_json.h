@@ -16,9 +16,17 @@ typedef struct SceneEdit {
     const char *origin; /* for messages: the option that asks for it, with its value */
 } SceneEdit;
 
+typedef struct SceneEdits {
+    const SceneEdit *items;
+    int count;
+} SceneEdits;
+
 /* scene_load of the file with the edits in it, one after the other. The file itself stays as it is. A fault of a path
  * is an ERROR_USAGE that begins with the edit's origin; one of the scene says with which edits it was read. */
-bool scene_load_edited(Scene *scene, const char *path, const SceneEdit *edits, int count, Error *error);
+bool scene_load_edited(Scene *scene, const char *path, SceneEdits edits, Error *error);
+
+/* The same for a text on the heap that ends in a NUL; it is freed here. */
+bool scene_take_edited(Scene *scene, const char *name, char *text, SceneEdits edits, Error *error);
 
 /* The same for `length` bytes of text; `path` stands in messages, and models are looked for beside it. */
 bool scene_parse(Scene *scene, const char *path, const char *text, long length, Error *error);
