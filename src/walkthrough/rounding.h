@@ -70,4 +70,7 @@ void rounding_write_text(FILE *out, const Rounding *rounding, WalkthroughStyle s
 /* The same as JSON. Fails only for want of memory. */
 bool rounding_write_json(FILE *out, const Rounding *rounding, Error *error);
 
+/* The summary, the text cut into its steps, and all places where the two part: for the web page, one JSON object. */
+bool rounding_write_steps(FILE *out, const Rounding *rounding, WalkthroughStyle style, Error *error);
+
 #endif
