@@ -10,6 +10,7 @@ import json
 import os
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,8 @@ from program import CommandTest, PROGRAM, png_pixels
 
 PAGE = os.path.abspath("build/rectray.html")
 LIMIT = 1 << 20
+# A pixel is told before the picture is done.
+SHOWN = "typeof page !== 'undefined' && page.walk || (document.body || {dataset: {}}).dataset.state === 'failed'"
 SETTLED = "['done', 'failed'].includes((document.body || {dataset: {}}).dataset.state)"
 SCENES = sorted(glob.glob("scenes/*.json"))
 LESSONS = sorted(glob.glob("scenes/lessons/*.json"))
@@ -187,7 +190,7 @@ class InBrowser(unittest.TestCase):
         self.browser.events.clear()
         self.browser.open("about:blank")
         self.browser.open("file://" + path + fragment)
-        self.wait(SETTLED)
+        self.wait(SHOWN)
         self.assertEqual(self.value("$('error').textContent"), "")
 
     def give_files(self, paths):
@@ -198,6 +201,7 @@ class InBrowser(unittest.TestCase):
         )
 
     def pixels(self, canvas="picture"):
+        self.wait(SETTLED)
         return base64.b64decode(self.value(f"""(() => {{
             const c = $('{canvas}'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
             let s = '';
@@ -252,31 +256,41 @@ class InBrowser(unittest.TestCase):
             self.assertIn("arithmetic=" + word, self.value("location.hash"))
         self.value("setArithmetic('exact')")
 
+    def test_textbook_stands_beside_the_exact_walkthrough(self):
+        self.open("#scene=scenes/lessons/acne.json&size=80x60&grid=1&pixel=30,46&arithmetic=float")
+        words = "trace scenes/lessons/acne.json --size 80x60 --grid 1 --pixel 30,46 --arithmetic textbook"
+        want = rectray(*words.split(), "--precision", "float")[0].decode()
+        self.assertEqual(self.value("page.tracer.trace(30, 46, 'textbook')"), want)
+        steps = self.value("plain(page.textbook.head + page.textbook.steps.map(s => s.text).join(''))")
+        self.assertEqual("".join(steps.split()), "".join(want.split()))
+        said = self.value("$('answer').querySelector('.textbook pre').textContent").split()
+        self.assertIn(" ".join(said), " ".join(want.split()))
+        self.assertIn("They part at P1", " ".join(said))
+        # The step where they part is marked, and has both.
+        marked = self.value("[...document.querySelectorAll('.tag')].map(tag => tag.closest('.step').dataset.number)")
+        self.assertEqual(marked, ["3"])
+        self.value("$('answer').querySelector('.textbook button').click()")
+        self.assertEqual(self.value("page.step"), 3)
+        self.assertIn("Here the two part.", self.value("document.querySelector('.step.now .textbook').textContent"))
+        self.assertIn("Nothing is in the way", self.value("document.querySelector('.step.now .exact').textContent"))
+        self.assertEqual(self.value("document.querySelectorAll('.step .textbook').length"), 5)
+        self.value("setArithmetic('exact')")
+        self.assertEqual(self.value("document.querySelectorAll('.textbook').length"), 0)
+
     def test_maps_are_the_programs(self):
-        self.open(GALLERY)
+        size = ["--size", "120x68", "--grid", "1", "--quiet", "--backend", "reference", "-o", os.devnull]
+        self.open("#scene=scenes/gallery.json&size=120x68&grid=1")
+        self.wait(SETTLED)
+        kinds = ("rays", "depth", "normal", "face", "tests")
         with tempfile.TemporaryDirectory() as folder:
-            for kind in ("rays", "depth", "normal", "face", "tests"):
+            files = {kind: os.path.join(folder, kind + ".png") for kind in kinds}
+            maps = [word for kind in kinds for word in ("--map", kind, files[kind])]
+            rectray("render", "scenes/gallery.json", *size, *maps)
+            for kind in kinds:
                 with self.subTest(kind):
                     self.value(f"chooseMap('{kind}')")
                     self.wait("!$('map').hidden")
-                    path = os.path.join(folder, kind + ".png")
-                    rectray(
-                        "render",
-                        "scenes/gallery.json",
-                        "--size",
-                        "320x180",
-                        "--grid",
-                        "1",
-                        "--quiet",
-                        "--backend",
-                        "reference",
-                        "-o",
-                        os.devnull,
-                        "--map",
-                        kind,
-                        path,
-                    )
-                    self.assertTrue(self.pixels("map") == flat(read(path)))
+                    self.assertTrue(self.pixels("map") == flat(read(files[kind])))
 
     def test_messages_are_the_programs(self):
         self.open(GALLERY)
@@ -307,7 +321,7 @@ class InBrowser(unittest.TestCase):
                 )
                 with self.subTest(scene, pixel=(column, row)):
                     text, steps = self.value(
-                        f"""(() => {{ const walk = readWalk([{column}, {row}]);
+                        f"""(() => {{ const walk = readWalk([{column}, {row}], 100);
                         return [page.tracer.trace({column}, {row}),
                                 plain(walk.head + walk.steps.map(step => step.text).join(''))]; }})()"""
                     )
@@ -338,6 +352,7 @@ class InBrowser(unittest.TestCase):
     # --- Choosing a pixel ---
 
     def test_a_click_tells_the_pixel(self):
+        self.browser.resize(1599, 900)  # room for lines of 100 columns
         self.open(GALLERY)
         x, y, scale = self.value("""(() => { const b = $('picture').getBoundingClientRect();
             return [b.left, b.top, b.width / 320]; })()""")
@@ -383,6 +398,7 @@ class InBrowser(unittest.TestCase):
 
     def test_magnifier_shows_the_picture(self):
         self.open(GALLERY + "&pixel=225,95")
+        self.wait(SETTLED)
         self.browser.key("v")
         cells = self.value(
             "[...document.querySelectorAll('#values-table td')]"
@@ -436,10 +452,17 @@ class InBrowser(unittest.TestCase):
         self.open("#scene=scenes/cornell.json&size=200x200&grid=1&pixel=20,100")
         self.browser.key("p")
         self.browser.key("ArrowRight")
-        self.assertEqual(self.value("$('differences-first').textContent"), "The same steps with other numbers.")
+        first = self.value("$('differences-first').textContent")
+        self.assertEqual(first, "They take the same path, and the same lights reach it.")
         self.value("choosePixel(100, 150)")
         first = self.value("$('differences-first').textContent")
-        self.assertEqual(first, "They part ways at: The nearest face along the ray.")
+        want, _ = rectray(
+            *"trace scenes/cornell.json --size 200x200 --grid 1 --diff --pixel 20,100 --pixel 100,150".split()
+        )
+        self.assertIn(first, want.decode())
+        self.assertTrue(first.startswith("They part at P1: the first one hits left wall/0, the second"), first)
+        table = self.value("$('differences-table').textContent").split()
+        self.assertEqual(table, want.decode().split("\n\n")[1].split())
         shown = self.value(
             "[...document.querySelectorAll('.difference[open] td')].map(cell => cell.textContent).join('\\n')"
         )
@@ -451,6 +474,7 @@ class InBrowser(unittest.TestCase):
     # --- In space ---
 
     def drawn(self):
+        self.wait(SETTLED)
         return self.value("(() => { view.draw(); return view.canvas.toDataURL(); })()")
 
     def test_view_in_space_turns_by_dragging(self):
@@ -467,6 +491,26 @@ class InBrowser(unittest.TestCase):
         distance = self.value("view.distance")
         self.browser.mouse("mouseWheel", *self.middle_of("space"), deltaX=0, deltaY=-200)
         self.wait(f"view.distance < {distance}")
+
+    def test_two_fingers_come_nearer(self):
+        self.open("#scene=scenes/cornell.json&size=100x100&grid=1&pixel=50,50")
+        x, y = self.middle_of("space")
+        distance, turn = self.value("view.distance"), self.value("view.turn")
+        apart = [[(x - d, y), (x + d, y)] for d in (30, 40, 50, 60)]
+        self.browser.fingers(*apart)
+        self.wait(f"view.distance < {0.6 * distance}")
+        self.assertAlmostEqual(self.value("view.distance"), distance / 2, 6)
+        self.assertEqual(self.value("view.turn"), turn)
+        self.browser.fingers([(x, y)], [(x + 50, y)])
+        self.wait(f"view.turn < {turn}")
+
+    def test_a_double_click_centres_what_is_there(self):
+        self.open("#scene=scenes/cornell.json&size=100x100&grid=1&pixel=50,50")
+        self.value("view.lookFrom(view.camera, view.lookAt)")
+        x, y = (round(middle) + 30 for middle in self.middle_of("space"))
+        ahead = self.value(f"(b => view.pick({x} - b.left, {y} - b.top))($('space').getBoundingClientRect())")
+        self.browser.double_click(x, y)
+        self.assertLess(self.value(f"vec.length(vec.sub(view.target, {ahead})) / view.size"), 1e-9)
 
     def test_view_looks_along_the_ray(self):
         self.open("#scene=scenes/cornell.json&size=100x100&grid=1&pixel=50,70")
@@ -485,20 +529,40 @@ class InBrowser(unittest.TestCase):
         self.assertEqual(sum(counts), self.value("page.tracer.value('faces')"))
 
     def test_nodes_of_a_tree_are_shown_as_the_walkthrough_counts_them(self):
+        pixel = ["--size", "320x180", "--grid", "1", "--pixel", "225,95", "--accel", "bvh"]
         self.open("#scene=scenes/gallery.json&size=320x180&grid=1&pixel=225,95&step=2")
         before = self.drawn()
         self.value("$('tree').value = 'bvh', $('tree').dispatchEvent(new Event('change'))")
         self.assertNotEqual(self.drawn(), before)
         counts = [int(n) for n in re.findall(r"\d+", self.value("$('nodes-key').textContent"))]
-        told, _ = rectray(
-            "trace", "scenes/gallery.json", "--size", "320x180", "--grid", "1", "--pixel", "225,95", "--accel", "bvh",
-            "--format", "json"
-        )
+        told, _ = rectray("trace", "scenes/gallery.json", *pixel, "--format", "json")
         events = json.loads(told)["events"]
         ends = next(k for k, event in enumerate(events) if event["event"] == "hit")
-        self.assertEqual(sum(counts), sum(event["event"] == "node" for event in events[:ends]))
+        nodes = [event for event in events[:ends] if event["event"] == "node"]
+        self.assertEqual(sum(counts), len(nodes))
+        # Each in its turn, in the words of the walkthrough.
+        verbose, _ = rectray("trace", "scenes/gallery.json", *pixel, "--verbose")
+        said = " ".join(verbose.decode().split())
+        shown = set()
+        for k in range(len(nodes)):
+            self.browser.key("n")
+            self.assertEqual(self.value("$('node-number').textContent"), f"{k + 1} of {len(nodes)} nodes")
+            words = self.value("$('node-words').textContent")
+            self.assertTrue(words.startswith(f"node {nodes[k]['node']}: "), words)
+            self.assertIn(words, said)
+            shown.add(self.value("nodeLines().filter(line => line.width > 1).map(line => line.from + line.to).join()"))
+        self.assertGreater(len(shown), len(nodes) // 2)
+        self.browser.key("n")
+        self.assertEqual(self.value("$('node-number').textContent"), f"all {len(nodes)} nodes")
         self.value("$('tree').value = 'none', $('tree').dispatchEvent(new Event('change'))")
         self.assertEqual(self.drawn(), before)
+
+    def test_a_search_in_a_tree_is_told_as_the_program_tells_it(self):
+        self.open("#scene=scenes/gallery.json&size=320x180&grid=1&pixel=225,95&tree=kdtree")
+        words = "trace scenes/gallery.json --size 320x180 --grid 1 --pixel 225,95 --accel kdtree".split()
+        self.assertEqual(self.value("page.tracer.trace(225, 95)"), rectray(*words)[0].decode())
+        self.assertEqual(self.value("$('tree').value"), "kdtree")
+        self.assertIn("tree nodes", self.value("$('steps').textContent"))
 
     def test_labels_do_not_overlap(self):
         self.open("#scene=scenes/cornell.json&size=100x100&grid=1&pixel=50,70")
@@ -562,23 +626,63 @@ class InBrowser(unittest.TestCase):
         self.wait(SETTLED)
         self.assertFalse(self.pixels() == before)
 
-    def test_own_scenes_and_models_are_dropped(self):
-        self.open(GALLERY)
-        files = {
-            os.path.basename(path): base64.b64encode(read(path)).decode()
-            for path in ["tests/scenes/obj.json", *glob.glob("tests/scenes/models/*")]
-        }
-        self.value(
-            f"""(() => {{ const data = new DataTransfer();
-            for (const [name, text] of Object.entries({json.dumps(files)}))
-                data.items.add(new File([bytesOf(text)], name));
-            document.dispatchEvent(new DragEvent('drop', {{dataTransfer: data, cancelable: true, bubbles: true}}));
-        }})()"""
-        )
-        self.wait("page.path === 'obj.json'")
+    def dropped(self, *paths):
+        self.browser.drop(paths, 300, 200)
+        self.wait("page.path.endsWith('obj.json')")
         self.wait(SETTLED)
+        self.assertEqual(self.value("$('message').textContent"), "")
         size = self.value("`${page.columns}x${page.rows}`")
         self.assertTrue(self.pixels() == rendered("tests/scenes/obj.json", "--size", size, "--grid", "1"))
+
+    def test_own_scenes_and_models_are_dropped(self):
+        self.open(GALLERY)
+        self.dropped("tests/scenes/obj.json", *glob.glob("tests/scenes/models/*"))
+
+    def test_a_folder_is_dropped(self):
+        self.open(GALLERY)
+        with tempfile.TemporaryDirectory() as folder:
+            os.makedirs(os.path.join(folder, "own/models"))
+            for path in ["tests/scenes/obj.json", *glob.glob("tests/scenes/models/*")]:
+                shutil.copy(path, os.path.join(folder, "own", os.path.relpath(path, "tests/scenes")))
+            self.dropped(os.path.join(folder, "own"))
+        self.assertEqual(self.value("page.path"), "own/obj.json")
+        self.assertIn("Its models are not in it", self.value("$('link-note').textContent"))
+
+    # --- An edited scene in the address ---
+
+    def test_the_address_holds_an_edited_scene(self):
+        self.open("#scene=scenes/original.json&size=40x30&grid=1&pixel=20,18")
+        self.assertNotIn("text=", self.value("location.hash"))
+        before = self.pixels()
+        self.type_scene('"diffuse": [2.1, 0, 2.1]', '"diffuse": [0, 2.1, 0]')
+        self.wait("location.hash.includes('text=gzip.')")
+        self.wait(SETTLED)
+        edited, link = self.pixels(), self.value("location.hash")
+        self.assertIn("The address holds this edited scene", self.value("$('link-note').textContent"))
+        self.open(link)
+        self.wait("location.hash.includes('text=')")
+        self.assertTrue(self.pixels() == edited)
+        self.assertIn('"diffuse": [0, 2.1, 0]', self.value("$('source').value"))
+        self.value("$('restore').click()")
+        self.wait("!location.hash.includes('text=')")
+        self.wait(SETTLED)
+        self.assertTrue(self.pixels() == before)
+        self.assertTrue(self.value("$('link-note').hidden && $('restore').hidden"))
+
+    def test_an_address_that_was_cut_says_so(self):
+        self.open("#scene=scenes/original.json&size=40x30&grid=1&text=gzip.H4sIAAAA")
+        self.assertIn("a part of it is missing", self.value("$('message').textContent"))
+        self.assertTrue(self.pixels() == rendered("scenes/original.json", "--size", "40x30", "--grid", "1"))
+
+    def test_a_scene_too_large_for_the_address_is_refused_with_the_limit(self):
+        self.open("#scene=scenes/original.json&size=40x30&grid=1&pixel=20,18")
+        chance = random.Random(3)
+        noise = "".join(chance.choice("abcdefghijklmnopqrstuvwxyz0123456789") for _ in range(60000))
+        scene = {**json.loads(read("scenes/original.json")), "//": noise}
+        self.value(f"$('source').value = {json.dumps(json.dumps(scene))}, edited()")
+        self.wait("!$('link-note').hidden")
+        self.assertIn("32.0 KB are the limit", self.value("$('link-note').textContent"))
+        self.assertNotIn("text=", self.value("location.hash"))
 
     # --- Forms ---
 
@@ -611,9 +715,41 @@ class InBrowser(unittest.TestCase):
         self.assertEqual(nameless, [])
 
     def test_hand_out_has_two_pages(self):
-        for scene, pixel in (("gallery", "225,95"), ("cornell", "100,100"), ("original", "160,140")):
+        for scene, pixel, act in (
+            ("gallery", "225,95", ""),
+            ("mirrors", "270,90", "$('open-all').click()"),
+            ("cornell", "100,100", "$('verbose').click(), $('open-all').click()"),
+            ("lessons/acne", "120,140", "setArithmetic('float')"),
+        ):
             self.open(f"#scene=scenes/{scene}.json&size=320x180&grid=1&pixel={pixel}")
+            self.value(act or "0")
+            self.wait(SETTLED)
             self.assertEqual(len(re.findall(rb"/Type\s*/Page\b", self.browser.print())), 2, scene)
+            self.value("layOut()")
+            sheets = self.value(
+                """(document.documentElement.classList.add('measuring'),
+                [...document.querySelectorAll('.sheet')].map(s => [s.scrollHeight - s.clientHeight, s.textContent]))"""
+            )
+            self.value("document.documentElement.classList.remove('measuring')")
+            self.assertEqual([over for over, _ in sheets], [0, 0], scene)
+            text = "\n".join(words for _, words in sheets)
+            printed = {int(n) for n in re.findall(r"Step (\d+)\.", text)}
+            left = re.search(r"Left out: steps? ([\d, to]+)\.", text)
+            for first, last in re.findall(r"(\d+)(?: to (\d+))?", left.group(1) if left else ""):
+                printed |= set(range(int(first), int(last or first) + 1))
+            self.assertEqual(printed, set(range(1, self.value("page.walk.steps.length") + 1)), scene)
+            self.assertIn(f"--pixel {pixel}", text)
+
+    def test_a_path_of_very_many_hits_is_printed_on_two_pages(self):
+        self.open("#scene=scenes/mirrors.json&size=40x30&grid=1&pixel=20,15")
+        self.value("page.walk.hits = Array(60).fill(page.walk.hits[0]), showAnswer(), layOut()")
+        sheet = self.value(
+            """(document.documentElement.classList.add('measuring'), (s => [s.scrollHeight - s.clientHeight,
+            s.textContent])(document.querySelector('.sheet')))"""
+        )
+        self.value("document.documentElement.classList.remove('measuring')")
+        self.assertEqual(sheet[0], 0)
+        self.assertRegex(sheet[1], r"\d+ more are left out\.")
 
     # --- rectray explore ---
 

@@ -17,19 +17,21 @@ void *page_alloc(int bytes);
 void page_free(void *block);
 const char *page_error(void);
 int page_open(const char *path);
-void page_set(int columns, int rows, int grid, int adaptive, int arithmetic);
+void page_set(int columns, int rows, int grid, int adaptive, int arithmetic, int tree);
 int page_bytes(int column, int row, int arithmetic);
 double page_value(int which);
 const unsigned char *page_rows(int first, int count, int step);
 const unsigned char *page_map(int kind);
 const char *page_trace(int column, int row, int sample, int format, int flags, int columns);
+const char *page_diff(int column, int row, int other_column, int other_row, int columns);
 const float *page_numbers(void);
 int page_faces(void);
 int page_places(void);
 int page_seen(void);
 int page_lines(int column, int row, int sample);
 int page_tested(int column, int row, int sample, int hit, int light);
-int page_nodes(int column, int row, int kind, int hit, int light);
+int page_nodes(int column, int row, int hit, int light);
+const char *page_text(void);
 const char *page_node_verdict(int verdict);
 const char *page_face_name(int face);
 const char *page_verdict(int verdict);
@@ -39,7 +41,7 @@ enum { COLUMNS, ROWS, GRID, ADAPTIVE, FACES, LIGHTS, LOW, HIGH, LENGTH };
 void setUp(void)
 {
     TEST_ASSERT_TRUE_MESSAGE(page_open(SCENE), page_error());
-    page_set(80, 60, 1, 0, 0);
+    page_set(80, 60, 1, 0, 0, ACCEL_NONE);
 }
 
 void tearDown(void) {}
@@ -60,7 +62,7 @@ static void page_values_should_describe_the_scene(void)
     TEST_ASSERT_GREATER_THAN_INT(0, (int)page_value(FACES));
     TEST_ASSERT_GREATER_THAN_INT(0, (int)page_value(LIGHTS));
     TEST_ASSERT_EQUAL_DOUBLE(0, page_value(99));
-    page_set(0, 0, 3, 1, 0);
+    page_set(0, 0, 3, 1, 0, ACCEL_NONE);
     TEST_ASSERT_EQUAL_DOUBLE(80, page_value(COLUMNS));
     TEST_ASSERT_EQUAL_DOUBLE(3, page_value(GRID));
     TEST_ASSERT_EQUAL_DOUBLE(1, page_value(ADAPTIVE));
@@ -91,7 +93,7 @@ static void coarse_rows_should_be_blocks_of_their_middles_colour(void)
 static void rows_should_be_of_the_arithmetic_that_was_set(void)
 {
     for (int arithmetic = 0; arithmetic <= 2; arithmetic++) {
-        page_set(0, 0, 0, 0, arithmetic);
+        page_set(0, 0, 0, 0, arithmetic, ACCEL_NONE);
         const unsigned char *at = page_rows(36, 1, 1) + 40 * 4;
         TEST_ASSERT_EQUAL_HEX32(page_bytes(40, 36, arithmetic), at[0] << 16 | at[1] << 8 | at[2]);
     }
@@ -136,14 +138,14 @@ static void steps_should_hold_all_of_the_text(void)
 
 static void every_format_should_be_written(void)
 {
-    for (int format = 0; format <= 4; format++)
+    for (int format = 0; format < PAGE_FORMAT_COUNT; format++)
         TEST_ASSERT_NOT_NULL(page_trace(40, 36, 0, format, 3, 0));
 }
 
 static void answer_should_name_what_blocks_a_light(void)
 {
     TEST_ASSERT_TRUE(page_open("scenes/gallery.json"));
-    page_set(640, 360, 1, 0, 0);
+    page_set(640, 360, 1, 0, 0, ACCEL_NONE);
     cJSON *json = cJSON_Parse(page_trace(450, 190, 0, 4, 0, 0));
     const cJSON *hits = cJSON_GetObjectItem(json, "hits"), *third = cJSON_GetArrayItem(hits, 2);
     TEST_ASSERT_EQUAL_INT(4, cJSON_GetArraySize(hits));
@@ -197,17 +199,66 @@ static void tested_faces_should_be_those_of_the_search(void)
     TEST_ASSERT_EQUAL_INT(0, page_tested(40, 36, 0, 50, -1));
 }
 
+static int count_lines(const char *text)
+{
+    int count = 0;
+    for (; *text; text++)
+        count += *text == '\n';
+    return count;
+}
+
 static void nodes_should_be_those_of_the_search(void)
 {
     for (int kind = ACCEL_KDTREE; kind <= ACCEL_BVH; kind++) {
-        int count = page_nodes(40, 36, kind, 1, -1);
+        page_set(0, 0, 0, 0, 0, kind);
+        TEST_ASSERT_NOT_NULL(strstr(page_trace(40, 36, 0, PAGE_TEXT, 0, 0), "tree nodes whose boxes are tested"));
+        char *verbose = strdup(page_trace(40, 36, 0, PAGE_TEXT, 1, 160));
+        int count = page_nodes(40, 36, 1, -1);
         TEST_ASSERT_GREATER_THAN_INT(0, count);
         TEST_ASSERT_EQUAL_INT(0, count % PAGE_NODE_NUMBERS);
         TEST_ASSERT_EQUAL_STRING("entered", page_node_verdict((int)page_numbers()[0]));
-        TEST_ASSERT_GREATER_THAN_INT(0, page_nodes(40, 36, kind, 1, 0));
-        TEST_ASSERT_EQUAL_INT(0, page_nodes(40, 36, kind, 50, -1));
+        /* A line of each, as the text has it. */
+        const char *words = page_text();
+        TEST_ASSERT_EQUAL_INT(count / PAGE_NODE_NUMBERS, count_lines(words));
+        size_t length = strcspn(words, ";");
+        char *first = strndup(words, length);
+        TEST_ASSERT_NOT_NULL(strstr(verbose, first));
+        free(first);
+        free(verbose);
+        TEST_ASSERT_GREATER_THAN_INT(0, page_nodes(40, 36, 1, 0));
+        TEST_ASSERT_EQUAL_INT(0, page_nodes(40, 36, 50, -1));
     }
     TEST_ASSERT_EQUAL_STRING("", page_node_verdict(99));
+}
+
+static void textbook_steps_should_name_where_the_two_part(void)
+{
+    TEST_ASSERT_TRUE_MESSAGE(page_open("scenes/lessons/acne.json"), page_error());
+    page_set(80, 60, 1, 0, PAGE_TEXTBOOK_FLOAT, ACCEL_NONE);
+    char *text = strdup(page_trace(30, 46, 0, PAGE_TEXTBOOK_TEXT, 0, 0));
+    cJSON *json = cJSON_Parse(page_trace(30, 46, 0, PAGE_TEXTBOOK_STEPS, 0, 0));
+    const char *head = cJSON_GetObjectItem(json, "head")->valuestring;
+    TEST_ASSERT_EQUAL_STRING_LEN(head, text, strlen(head));
+    const cJSON *part = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "parts"), 0);
+    TEST_ASSERT_NOT_NULL(strstr(head, "They part at P1, in what they say of light 0."));
+    TEST_ASSERT_EQUAL_INT(1, cJSON_GetObjectItem(part, "hit")->valueint);
+    TEST_ASSERT_EQUAL_INT(0, cJSON_GetObjectItem(part, "light")->valueint);
+    const char *summary = cJSON_GetObjectItem(json, "summary")->valuestring;
+    TEST_ASSERT_EQUAL_STRING_LEN(summary, text, strlen(summary));
+    const cJSON *light = cJSON_GetArrayItem(cJSON_GetObjectItem(json, "steps"), 2);
+    TEST_ASSERT_EQUAL_STRING("light", cJSON_GetObjectItem(light, "kind")->valuestring);
+    TEST_ASSERT_EQUAL_INT(3, cJSON_GetObjectItem(light, "number")->valueint);
+    TEST_ASSERT_NOT_NULL(strstr(cJSON_GetObjectItem(light, "text")->valuestring, "Here the two part."));
+    cJSON_Delete(json);
+    free(text);
+}
+
+static void diff_should_say_where_two_pixels_part(void)
+{
+    const char *text = page_diff(40, 36, 0, 0, 0);
+    TEST_ASSERT_EQUAL_STRING_LEN("Pixels (40, 36) and (0, 0) of scenes/original.json\n", text, 51);
+    TEST_ASSERT_NOT_NULL(strstr(text, "They part at P1: the first one hits"));
+    TEST_ASSERT_NOT_NULL(strstr(page_diff(40, 36, 40, 36, 0), "They take the same path"));
 }
 
 static void names_should_be_the_walkthroughs(void)
@@ -240,6 +291,8 @@ int main(void)
     RUN_TEST(places_should_have_the_screen_around_the_view);
     RUN_TEST(tested_faces_should_be_those_of_the_search);
     RUN_TEST(nodes_should_be_those_of_the_search);
+    RUN_TEST(textbook_steps_should_name_where_the_two_part);
+    RUN_TEST(diff_should_say_where_two_pixels_part);
     RUN_TEST(names_should_be_the_walkthroughs);
     RUN_TEST(memory_should_be_lent);
     return UNITY_END();

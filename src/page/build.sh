@@ -8,8 +8,8 @@ set -eu
 here=src/page
 
 # In the order in which they run.
-scripts="tracer worker state link picture maps lens answer arithmetic steps compare algorithm matrix shaders solids
-    view3d labels space tested scene_file print keys page"
+scripts="tracer worker state packed link picture maps lens answer arithmetic steps compare algorithm matrix shaders
+    solids onlooker view3d labels space tested nodes scene_file dropped handout keys page"
 
 # A line "@NAME@" of page.html becomes what the case prints.
 template()

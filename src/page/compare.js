@@ -91,11 +91,14 @@ function showDifferences() {
     const parts = compareWalks(page.pinned.walk, page.walk);
     const first = parts.find(partsWays);
     $('differences-title').textContent = `${page.pinned.walk.pixel} beside ${page.walk.pixel}`;
-    $('differences-first').textContent = !parts.length
-        ? 'The two walkthroughs are the same.'
-        : first
-          ? `They part ways at: ${first.title}.`
-          : 'The same steps with other numbers.';
+    // The program's own words: its title, where the two part, and a table of what differs.
+    const [said, ...table] = page.tracer
+        .diff(page.pinned.pixel, page.pixel, columnsOfText())
+        .trimEnd()
+        .split('\n\n');
+    $('differences-first').textContent = said.split('\n').slice(1).join(' ');
+    $('differences-table').textContent = table.join('\n\n');
+    $('differences-table').hidden = !table.length;
     $('differences').replaceChildren(...parts.map(part => differenceFold(part, part === (first || parts[0]))));
 }
 

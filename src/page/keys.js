@@ -15,6 +15,7 @@ const KEYS = {
     ArrowDown: by => movePixel(0, by),
     p: togglePin,
     l: lookAlongRay,
+    n: by => stepNode(by > 1 ? -1 : 1),
     v: showValues,
     '?': () => $('help').showModal(),
     Escape: () => {

@@ -1,4 +1,5 @@
-// The page's address holds scene, size, rays, map, pixel and step, so that a link leads there.
+// The page's address holds scene, size, rays, arithmetic, tree, map, pixel, step and an edited scene's text, so that a
+// link leads there.
 'use strict';
 
 function readLink() {
@@ -10,9 +11,11 @@ function readLink() {
         size: numbers('size', 'x'),
         grid: asked.get('grid'),
         arithmetic: asked.get('arithmetic'),
+        tree: asked.get('tree'),
         map: asked.get('map'),
         pixel: numbers('pixel', ','),
         step: Number(asked.get('step')) || 0,
+        text: asked.get('text') || '',
     };
 }
 
@@ -23,10 +26,26 @@ function writeLink() {
         `grid=${page.grid || 'scene'}`,
     ];
     if (page.arithmetic) parts.push(`arithmetic=${ARITHMETICS[page.arithmetic]}`);
+    if (page.tree !== 'none') parts.push(`tree=${page.tree}`);
     if (page.map !== 'picture') parts.push(`map=${page.map}`);
     if (page.pixel) parts.push(`pixel=${page.pixel}`);
     if (page.pixel && page.step) parts.push(`step=${page.step}`);
+    if (packed.text) parts.push(`text=${packed.text}`);
     history.replaceState(null, '', '#' + parts.join('&'));
+}
+
+// Puts the scene's file where the link wants it: its own text, or as the page came with it. Returns what is wrong.
+async function takeText({scene, text}) {
+    const path = normalPath(scene || '');
+    if (!text && page.shipped.has(path)) page.files.set(path, page.shipped.get(path));
+    if (!text || !path) return '';
+    try {
+        page.files.set(path, await unpack(text));
+        if (!page.names.has(path)) page.names.set(path, scene);
+        return '';
+    } catch (error) {
+        return error.message;
+    }
 }
 
 for (const event of ['scene', 'render', 'pixel', 'step']) on(event, writeLink);

@@ -7,7 +7,7 @@
 
 #include "trace/accel.h"
 #include "trace/render.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/walkthrough_formats.h"
 
 /* Exported where the target is a web page; a plain function elsewhere, such as in tests. */
 #ifdef __wasm__
@@ -27,8 +27,9 @@ typedef enum PageArithmetic { PAGE_EXACT, PAGE_TEXTBOOK, PAGE_TEXTBOOK_FLOAT } P
 
 typedef struct Page {
     Scene scene;
-    PageArithmetic arithmetic; /* of rows */
-    Accel accel;
+    PageArithmetic arithmetic; /* of rows, and of what the textbook finds */
+    Accel accel;               /* of rows */
+    Accel tree; /* of walkthroughs: none, so that every face is tested as it is taught, or what is asked for */
     Error error;
     char *path;
     char *text; /* the last one written */
@@ -49,6 +50,26 @@ bool page_render_rows(Page *page, int first, int count, int step);
 
 /* Draws a map of the whole picture. */
 bool page_draw_map(Page *page, MapKind kind);
+
+/* --- page_text.c: all write page->text --- */
+
+/* PAGE_TEXT to PAGE_SVG: a WalkthroughFormat; then the answer and the steps, and of textbook arithmetic its text and
+ * its steps. */
+typedef enum PageFormat {
+    PAGE_TEXT,
+    PAGE_JSON,
+    PAGE_OBJ,
+    PAGE_SVG,
+    PAGE_STEPS,
+    PAGE_TEXTBOOK_TEXT,
+    PAGE_TEXTBOOK_STEPS,
+    PAGE_FORMAT_COUNT
+} PageFormat;
+
+bool page_write_walk(Page *page, PageFormat format, WalkthroughRequest request, WalkthroughStyle style);
+
+/* Where the walkthroughs of two pixels part. */
+bool page_write_diff(Page *page, WalkthroughRequest one, WalkthroughRequest other, WalkthroughStyle style);
 
 /* --- page_space.c: lists of numbers, positions as in the scene file --- */
 
@@ -75,9 +96,9 @@ bool page_list_lines(Page *page, WalkthroughRequest request);
  * looks for hit `hit`, or with light >= 0 that of the shadow ray from there to this light. */
 bool page_list_tested(Page *page, WalkthroughRequest request, int hit, int light);
 
-/* The nodes of a tree of that kind that such a search met, PAGE_NODE_NUMBERS each: NodeVerdict, leaf, level, the box's
- * low and high corner. */
+/* The nodes of page->tree that such a search met, PAGE_NODE_NUMBERS each: NodeVerdict, leaf, level, the box's low and
+ * high corner. What the text says of them is page->text, a line each. */
 enum { PAGE_NODE_NUMBERS = 9 };
-bool page_list_nodes(Page *page, WalkthroughRequest request, AccelKind kind, int hit, int light);
+bool page_list_nodes(Page *page, WalkthroughRequest request, int hit, int light);
 
 #endif

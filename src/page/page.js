@@ -16,33 +16,42 @@ async function unpacked(bytes) {
 function wishes() {
     const made = JSON.parse($('wishes').textContent.trim() || '{}');
     const asked = readLink();
-    return fileOf(asked.scene) ? asked : {...asked, ...made};
+    return fileOf(asked.scene) || asked.text ? asked : {...asked, ...made};
+}
+
+// Shows what a link asks for, as far as this page has it.
+async function follow(wish) {
+    const wrong = await takeText(wish);
+    const paths = scenePaths();
+    const first = paths.includes('scenes/gallery.json') ? 'scenes/gallery.json' : paths[0];
+    const path = fileOf(wish.scene) ? wish.scene : first;
+    if (wish.grid) page.grid = wish.grid === 'scene' ? 0 : Number(wish.grid);
+    $('grid').value = String(page.grid);
+    Object.assign(page, {path: '', pixel: null}); // nothing is rendered before all is set
+    setArithmetic(wish.arithmetic);
+    setTree(wish.tree);
+    if (!openScene(path, wish)) {
+        page.path = path;
+        $('source').value = decode(fileOf(path));
+    }
+    if (wrong) showMessage(wrong);
+    chooseMap(wish.map);
+    if (wish.step) play(0);
 }
 
 async function start() {
     for (const data of document.querySelectorAll('script[data-file]'))
         addFile(data.dataset.file, bytesOf(data.textContent));
+    page.shipped = new Map(page.files);
     page.module = await WebAssembly.compile(await unpacked(bytesOf($('module').textContent)));
     page.tracer = await Tracer.make(page.module, page.files);
     startView();
     startWorkers();
-    const wish = wishes();
-    const first = scenePaths();
-    if (wish.grid) page.grid = wish.grid === 'scene' ? 0 : Number(wish.grid);
-    $('grid').value = String(page.grid);
-    if (wish.arithmetic) setArithmetic(wish.arithmetic);
-    const path = fileOf(wish.scene)
-        ? wish.scene
-        : first.includes('scenes/gallery.json')
-          ? 'scenes/gallery.json'
-          : first[0];
-    if (!openScene(path, wish)) $('source').value = decode(fileOf(path));
-    if (wish.map) chooseMap(wish.map);
-    if (wish.step) play(0);
+    await follow(wishes());
 }
 
 addEventListener('hashchange', () => {
     const asked = readLink();
-    if (fileOf(asked.scene)) openScene(asked.scene, asked);
+    if (fileOf(asked.scene) || asked.text) follow(asked);
 });
 start().catch(error => fail(error.message));

@@ -15,19 +15,21 @@ PAGE_EXPORT(page_alloc) void *page_alloc(int bytes);
 PAGE_EXPORT(page_free) void page_free(void *block);
 PAGE_EXPORT(page_error) const char *page_error(void);
 PAGE_EXPORT(page_open) int page_open(const char *path);
-PAGE_EXPORT(page_set) void page_set(int columns, int rows, int grid, int adaptive, int arithmetic);
+PAGE_EXPORT(page_set) void page_set(int columns, int rows, int grid, int adaptive, int arithmetic, int tree);
 PAGE_EXPORT(page_bytes) int page_bytes(int column, int row, int arithmetic);
 PAGE_EXPORT(page_value) double page_value(int which);
 PAGE_EXPORT(page_rows) const unsigned char *page_rows(int first, int count, int step);
 PAGE_EXPORT(page_map) const unsigned char *page_map(int kind);
 PAGE_EXPORT(page_trace) const char *page_trace(int column, int row, int sample, int format, int flags, int columns);
+PAGE_EXPORT(page_diff) const char *page_diff(int column, int row, int other_column, int other_row, int columns);
 PAGE_EXPORT(page_numbers) const float *page_numbers(void);
 PAGE_EXPORT(page_faces) int page_faces(void);
 PAGE_EXPORT(page_places) int page_places(void);
 PAGE_EXPORT(page_seen) int page_seen(void);
 PAGE_EXPORT(page_lines) int page_lines(int column, int row, int sample);
 PAGE_EXPORT(page_tested) int page_tested(int column, int row, int sample, int hit, int light);
-PAGE_EXPORT(page_nodes) int page_nodes(int column, int row, int kind, int hit, int light);
+PAGE_EXPORT(page_nodes) int page_nodes(int column, int row, int hit, int light);
+PAGE_EXPORT(page_text) const char *page_text(void);
 PAGE_EXPORT(page_node_verdict) const char *page_node_verdict(int verdict);
 PAGE_EXPORT(page_face_name) const char *page_face_name(int face);
 PAGE_EXPORT(page_verdict) const char *page_verdict(int verdict);
@@ -61,16 +63,19 @@ int page_open(const char *path)
         return 0;
     }
     accel_free(&page.accel);
+    accel_free(&page.tree);
     scene_free(&page.scene);
     free(page.path);
     page.scene = scene;
     page.accel = accel;
+    page.tree = (Accel){.kind = ACCEL_NONE};
     page.path = copy;
     return 1;
 }
 
-/* Other pixels and rays than the scene's; 0 leaves them. */
-void page_set(int columns, int rows, int grid, int adaptive, int arithmetic)
+/* Other pixels and rays than the scene's; 0 leaves them. tree: an AccelKind, of walkthroughs; without memory there is
+ * none. */
+void page_set(int columns, int rows, int grid, int adaptive, int arithmetic, int tree)
 {
     page.arithmetic = (PageArithmetic)arithmetic;
     if (columns > 0) {
@@ -81,6 +86,11 @@ void page_set(int columns, int rows, int grid, int adaptive, int arithmetic)
         page.scene.grid = grid;
         page.scene.adaptive = adaptive != 0;
     }
+    if (page.tree.kind == (AccelKind)tree)
+        return;
+    accel_free(&page.tree);
+    if (!accel_build(&page.tree, &page.scene, (AccelKind)tree, 1, &page.error))
+        page.tree = (Accel){.kind = ACCEL_NONE};
 }
 
 /* In the order of tracer.js. */
@@ -117,26 +127,19 @@ static WalkthroughRequest request_of(int column, int row, int sample)
     return (WalkthroughRequest){.column = column, .row = row, .i = sample % n, .j = sample / n};
 }
 
-/* format: 0 text, 1 JSON, 2 OBJ, 3 SVG, 4 an answer and steps. flags: 1 verbose, 2 colour. columns: of a line; 0: the
- * usual. */
+/* format: a PageFormat. flags: 1 verbose, 2 colour. columns: of a line; 0: the usual. */
 const char *page_trace(int column, int row, int sample, int format, int flags, int columns)
 {
-    static WalkthroughWriter *const writers[] = {walkthrough_write_text, walkthrough_write_json, walkthrough_write_obj,
-                                                 walkthrough_write_svg, walkthrough_write_steps};
-    Walkthrough walk = {0};
     WalkthroughRequest request = request_of(column, row, sample);
-    request.verbose = (flags & 1) != 0;
-    free(page.text);
-    page.text = NULL;
-    page.error = (Error){.kind = ERROR_NONE};
-    FILE *out = open_memstream(&page.text, &page.text_length);
     WalkthroughStyle style = {.colour = flags & 2 ? INK_TRUE : INK_PLAIN, .columns = columns};
-    bool around = format <= 1; /* only the text and the JSON tell it */
-    bool done = out && walkthrough_record(&walk, &page.scene, NULL, page.path, request, &page.error) &&
-                (!around || walkthrough_look_around(&walk, &page.error)) &&
-                writers[format](out, &walk, style, &page.error);
-    walkthrough_free(&walk);
-    done = out && fclose(out) == 0 && done;
+    request.verbose = (flags & 1) != 0;
+    return page_write_walk(&page, (PageFormat)format, request, style) ? page.text : NULL;
+}
+
+const char *page_diff(int column, int row, int other_column, int other_row, int columns)
+{
+    WalkthroughStyle style = {.columns = columns};
+    bool done = page_write_diff(&page, request_of(column, row, 0), request_of(other_column, other_row, 0), style);
     return done ? page.text : NULL;
 }
 
@@ -175,10 +178,16 @@ int page_tested(int column, int row, int sample, int hit, int light)
     return page_list_tested(&page, request_of(column, row, sample), hit, light) ? page.numbers.count : 0;
 }
 
-/* Of sample 0; kind: an AccelKind. */
-int page_nodes(int column, int row, int kind, int hit, int light)
+/* Of sample 0. */
+int page_nodes(int column, int row, int hit, int light)
 {
-    return page_list_nodes(&page, request_of(column, row, 0), (AccelKind)kind, hit, light) ? page.numbers.count : 0;
+    return page_list_nodes(&page, request_of(column, row, 0), hit, light) ? page.numbers.count : 0;
+}
+
+/* What the program says of these nodes, a line each. */
+const char *page_text(void)
+{
+    return page.text;
 }
 
 /* --- Names --- */

@@ -6,6 +6,7 @@
 #include "trace/reference.h"
 #include "walkthrough/walkthrough_boxes.h"
 #include "walkthrough/walkthrough_lines.h"
+#include "walkthrough/walkthrough_text_node.h"
 
 #include <stdlib.h>
 
@@ -101,7 +102,6 @@ static void add_line(void *user, const WalkthroughLine *line)
     page_add_number(numbers, line->leaves);
 }
 
-/* Without a tree every face is tested, as it is taught. */
 static bool record(Page *page, Walkthrough *walk, const Accel *tree, WalkthroughRequest request)
 {
     page->numbers.count = 0;
@@ -133,7 +133,7 @@ bool page_list_tested(Page *page, WalkthroughRequest request, int hit, int light
     Walkthrough walk = {0};
     WalkthroughPlace place = {0};
     request.verbose = true;
-    bool done = record(page, &walk, NULL, request);
+    bool done = record(page, &walk, page->tree.kind == ACCEL_NONE ? NULL : &page->tree, request);
     for (long i = 0; done && i < walk.count; i++) {
         const Event *event = &walk.events[i];
         walkthrough_follow(&place, &walk, event);
@@ -158,18 +158,31 @@ static void add_node(Page *page, const Event *event)
     page_add_vector(numbers, box.corners[7]);
 }
 
-bool page_list_nodes(Page *page, WalkthroughRequest request, AccelKind kind, int hit, int light)
+static void list_nodes(Page *page, WalkthroughText *text, int hit, int light)
 {
-    Accel tree;
+    const Walkthrough *walk = text->walk;
+    for (long i = 0; i < walk->count; i++) {
+        walkthrough_follow(&text->place, walk, &walk->events[i]);
+        if (walk->events[i].kind != EVENT_NODE || !is_in_search(&text->place, text->place.shadow, hit, light))
+            continue;
+        add_node(page, &walk->events[i]);
+        walkthrough_text_node(text, &walk->events[i]);
+    }
+}
+
+bool page_list_nodes(Page *page, WalkthroughRequest request, int hit, int light)
+{
+    enum { ONE_LINE = 1000 };
     Walkthrough walk = {0};
-    WalkthroughPlace place = {0};
-    bool done = accel_build(&tree, &page->scene, kind, 1, &page->error) && record(page, &walk, &tree, request);
-    for (long i = 0; done && i < walk.count; i++) {
-        walkthrough_follow(&place, &walk, &walk.events[i]);
-        if (walk.events[i].kind == EVENT_NODE && is_in_search(&place, place.shadow, hit, light))
-            add_node(page, &walk.events[i]);
+    request.verbose = true;
+    free(page->text);
+    page->text = NULL;
+    FILE *out = open_memstream(&page->text, &page->text_length);
+    bool done = out && record(page, &walk, &page->tree, request);
+    if (done) {
+        WalkthroughText text = walkthrough_text_begin(out, &walk, (WalkthroughStyle){.columns = ONE_LINE}, INK_DIGITS);
+        list_nodes(page, &text, hit, light);
     }
     walkthrough_free(&walk);
-    accel_free(&tree);
-    return done;
+    return out && fclose(out) == 0 && done;
 }

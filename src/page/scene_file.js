@@ -1,4 +1,4 @@
-// The scene: chosen, edited, dropped. While one types, the program's own message stands below, with its caret.
+// The scene: chosen, edited. While one types, the program's own message stands below, with its caret.
 'use strict';
 
 const SIZE = 640; // columns, unless the link says otherwise or the scene has fewer
@@ -40,7 +40,7 @@ function openScene(path, {size = null, pixel = null, step = 0, keep = false} = {
     const [columns, rows] = size || (again ? [page.columns, page.rows] : defaultSize());
     const shown = pixel || (again ? page.pixel : null);
     Object.assign(page, {columns, rows, step, pixel: null});
-    page.tracer.set({columns, rows, grid: page.grid, arithmetic: page.arithmetic});
+    setTracer();
     $('size').value = `${columns} x ${rows}`;
     $('holds').textContent =
         `${page.path}: ${page.tracer.value('faces')} faces, ${page.tracer.value('lights')} lights`;
@@ -82,6 +82,13 @@ function edited() {
     }, 250);
 }
 
+// The scene as the page came with it.
+function restore() {
+    page.files.set(normalPath(page.path), page.shipped.get(normalPath(page.path)));
+    openScene(page.path, {keep: true, step: page.step});
+    $('source').value = decode(fileOf(page.path));
+}
+
 function setSize(text) {
     const found = /^\s*(\d+)\s*[x×,]\s*(\d+)\s*$/.exec(text);
     const size = found && found.slice(1).map(Number);
@@ -95,60 +102,9 @@ function setGrid(grid) {
     if (page.path) openScene(page.path, {keep: true, pixel: page.pixel, step: page.step});
 }
 
-// --- Files that are dropped or chosen ---
-
-// All files of an entry, folders included: [path, File].
-async function filesOf(entry, path = '') {
-    if (entry.isFile) return [[path + entry.name, await new Promise((give, fail) => entry.file(give, fail))]];
-    const reader = entry.createReader();
-    const found = [];
-    for (let part; (part = await new Promise((give, fail) => reader.readEntries(give, fail))).length;)
-        found.push(...part);
-    return (await Promise.all(found.map(child => filesOf(child, path + entry.name + '/')))).flat();
-}
-
-// Models without their folders are put where the scene looks for them.
-function settleModels(paths) {
-    for (const path of paths.filter(name => name.endsWith('.json'))) {
-        const folder = path.includes('/') ? path.replace(/[^/]*$/, '') : '';
-        for (const [, name] of decode(page.files.get(path)).matchAll(/"obj"\s*:\s*"([^"]+)"/g)) {
-            const wanted = normalPath(folder + name);
-            const last = name.replace(/.*\//, '');
-            const given = paths.find(other => other.replace(/.*\//, '') === last);
-            if (!page.files.has(wanted) && given) page.files.set(wanted, page.files.get(given));
-            for (const library of paths.filter(other => other.endsWith('.mtl')))
-                page.files.set(
-                    normalPath(wanted.replace(/[^/]*$/, '') + library.replace(/.*\//, '')),
-                    page.files.get(library),
-                );
-        }
-    }
-}
-
-async function takeFiles(files) {
-    const paths = [];
-    for (const [path, file] of files) {
-        page.files.set(normalPath(path), new Uint8Array(await file.arrayBuffer()));
-        paths.push(normalPath(path));
-    }
-    settleModels(paths);
-    const scene = paths.find(path => path.endsWith('.json'));
-    openScene(scene || page.path, {keep: !scene});
-}
-
-document.addEventListener('dragover', event => event.preventDefault());
-document.addEventListener('drop', async event => {
-    event.preventDefault();
-    const entries = [...event.dataTransfer.items].map(item => item.webkitGetAsEntry && item.webkitGetAsEntry());
-    if (entries.every(Boolean) && entries.length)
-        takeFiles((await Promise.all(entries.map(entry => filesOf(entry)))).flat());
-    else takeFiles([...event.dataTransfer.files].map(file => [file.name, file]));
-});
-$('own-files').addEventListener('change', () =>
-    takeFiles([...$('own-files').files].map(file => [file.name, file])),
-);
 $('scene').addEventListener('change', () => openScene($('scene').value));
 $('source').addEventListener('input', edited);
+$('restore').addEventListener('click', restore);
 $('message').addEventListener('click', goToMistake);
 $('size').addEventListener('change', () => setSize($('size').value));
 $('grid').addEventListener('change', () => setGrid(Number($('grid').value)));

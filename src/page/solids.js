@@ -30,8 +30,8 @@ function isClosed(faces) {
     return [...counts.values()].every(count => count === 2);
 }
 
-// The numbers of the objects that are convex, as a block without a floor is, or closed, with faces that are turned to the
-// camera and others that are turned away: it is outside of them.
+// The numbers of the objects that are convex, as a block without a floor is, or closed, with faces that are turned to
+// the camera and others that are turned away: it is outside of them.
 function findSolids(faces, camera) {
     const objects = new Map();
     for (const face of faces) {

@@ -7,6 +7,7 @@ const $ = id => document.getElementById(id);
 const page = {
     files: new Map(), // normal path -> Uint8Array: scenes, models and libraries
     names: new Map(), // normal path -> the path as the user gave it, which the program's texts say
+    shipped: new Map(), // the files as the page came with them
     module: null, // the compiled tracer
     tracer: null, // the page's own; workers have theirs
     path: '', // of the scene
@@ -14,10 +15,12 @@ const page = {
     rows: 0,
     grid: 1, // n x n rays per pixel; 0: as the scene says
     arithmetic: 0, // PageArithmetic of page.h
+    tree: 'none', // in which the walkthrough searches: a name of TREES
     map: 'picture',
     pixel: null, // [column, row]
     pinned: null, // the other pixel of a comparison: {pixel, walk}
     walk: null, // what the tracer says of the pixel: {pixel, hits, end, head, steps, ...}
+    textbook: null, // what textbook arithmetic finds there: {summary, steps, parts}; null: it is not asked
     lines: null, // its rays in space
     step: 0, // the number of the step that is shown; 0: all
     verbose: false,
@@ -40,7 +43,7 @@ function element(name, attributes = {}, ...children) {
     for (const [key, value] of Object.entries(attributes))
         if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
         else if (value !== false) made.setAttribute(key, value === true ? '' : value);
-    made.append(...children.filter(child => child !== null));
+    made.append(...children.filter(child => child !== null && child !== undefined));
     return made;
 }
 
@@ -77,19 +80,31 @@ function fail(message) {
     if (message) document.body.dataset.state = 'failed';
 }
 
+// The page's own tracer works with what is chosen; 'render' tells the workers.
+function setTracer() {
+    const {columns, rows, grid, arithmetic} = page;
+    page.tracer.set({columns, rows, grid, arithmetic, tree: TREES[page.tree]});
+}
+
 function choosePixel(column, row) {
     const clamp = (x, n) => Math.max(0, Math.min(n - 1, x));
     page.pixel = [clamp(column, page.columns), clamp(row, page.rows)];
     page.walk = readWalk(page.pixel);
+    page.textbook = readTextbook(page.pixel);
     page.lines = page.tracer.lines(...page.pixel);
     page.step = Math.min(page.step, page.walk.steps.length);
     announce('pixel');
 }
 
-// Its lines are as wide as their column is, where letters are as small as they may be.
-function readWalk([column, row]) {
-    const style = {colour: true, verbose: page.verbose, columns: columnsOfText()};
+// Its lines are as wide as their column is, unless told otherwise.
+function readWalk([column, row], columns = columnsOfText()) {
+    const style = {colour: true, verbose: page.verbose, columns};
     return JSON.parse(page.tracer.trace(column, row, 'steps', style));
+}
+
+function readTextbook([column, row]) {
+    if (!page.arithmetic) return null;
+    return JSON.parse(page.tracer.trace(column, row, 'textbook-steps', {colour: true, columns: columnsOfText()}));
 }
 
 function goToStep(step) {

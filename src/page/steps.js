@@ -24,12 +24,44 @@ function stepSource(step) {
     );
 }
 
+const textOf = step => element('pre', {tabindex: '0'}, inked(bodyOf(step)));
+
+// In textbook arithmetic its numbers come first, with what is exactly so; the exact step can be opened beside it.
+function stepText(step) {
+    const found = textbookStep(step);
+    if (!found) return textOf(step);
+    return element(
+        'div',
+        {class: 'textbook'},
+        element('b', {}, ARITHMETIC_WORDS[page.arithmetic]),
+        textOf(found),
+        element('details', {class: 'exact'}, element('summary', {}, ARITHMETIC_WORDS[0]), textOf(step)),
+    );
+}
+
+function textbookFold(step) {
+    const summary = element(
+        'summary',
+        {},
+        element('b', {}, `Step ${step.number}.`),
+        ' ' + step.title,
+        element('span', {class: 'tag'}, `only ${ARITHMETIC_WORDS[page.arithmetic]}`),
+    );
+    return element('details', {class: 'step'}, summary, textOf(step));
+}
+
 function stepFold(step) {
     const fold = element(
         'details',
         {class: 'step', 'data-number': step.number},
-        element('summary', {}, element('b', {}, `Step ${step.number}.`), ' ' + step.title),
-        element('pre', {tabindex: '0'}, inked(bodyOf(step))),
+        element(
+            'summary',
+            {},
+            element('b', {}, `Step ${step.number}.`),
+            ' ' + step.title,
+            partsAt(step) ? element('span', {class: 'tag'}, 'textbook differs') : '',
+        ),
+        stepText(step),
         stepSource(step),
     );
     fold.firstChild.addEventListener('click', () => {
@@ -40,9 +72,11 @@ function stepFold(step) {
     return fold;
 }
 
-// 80 to 100, as the program's lines may be.
+// 80 to 100, as the program's lines may be: as many as fit in letters that are a little smaller than the page's.
+const LETTER_SHARE = 0.9;
 function columnsOfText() {
-    const columns = Math.max(80, Math.min(100, Math.floor($('steps').clientWidth / 7.25)));
+    const letter = 0.605 * LETTER_SHARE * parseFloat(getComputedStyle(document.documentElement).fontSize);
+    const columns = Math.max(80, Math.min(100, Math.floor($('steps').clientWidth / letter)));
     document.body.style.setProperty('--columns', columns);
     return columns;
 }
@@ -56,6 +90,7 @@ function showSteps() {
         [...$('steps').querySelectorAll('details[open]')].map(fold => Number(fold.dataset.number)),
     );
     $('steps').replaceChildren(...page.walk.steps.map(stepFold));
+    $('textbook-only').replaceChildren(...textbookOnly().map(textbookFold));
     for (const fold of $('steps').children) fold.open = opened.has(Number(fold.dataset.number));
     showStep();
 }

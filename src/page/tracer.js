@@ -25,6 +25,14 @@ function wasiOf(files, memoryOf) {
     const view = () => new DataView(memoryOf());
     const textAt = (at, length) => new TextDecoder().decode(new Uint8Array(memoryOf(), at, length).slice());
     const isFolder = path => path === '' || [...files.keys()].some(name => name.startsWith(path + '/'));
+    // A struct filestat: the kind, one link, the size.
+    const tellFile = (bytes, folder, out) => {
+        new Uint8Array(memoryOf(), out, 64).fill(0);
+        view().setUint8(out + 16, folder ? FOLDER_TYPE : FILE_TYPE);
+        view().setBigUint64(out + 24, 1n, true);
+        view().setBigUint64(out + 32, BigInt(bytes.length), true);
+        return OK;
+    };
     return {
         fd_prestat_get(fd, out) {
             if (fd !== ROOT) return BAD_FILE;
@@ -47,12 +55,12 @@ function wasiOf(files, memoryOf) {
         fd_fdstat_set_flags: () => OK,
         fd_filestat_get(fd, out) {
             const file = open.get(fd);
-            if (!file) return BAD_FILE;
-            new Uint8Array(memoryOf(), out, 64).fill(0);
-            view().setUint8(out + 16, file.folder ? FOLDER_TYPE : FILE_TYPE);
-            view().setBigUint64(out + 24, 1n, true);
-            view().setBigUint64(out + 32, BigInt(file.bytes.length), true);
-            return OK;
+            return file ? tellFile(file.bytes, file.folder, out) : BAD_FILE;
+        },
+        path_filestat_get(fd, lookup, path, length, out) {
+            const name = normalPath(textAt(path, length));
+            const bytes = files.get(name);
+            return bytes || isFolder(name) ? tellFile(bytes || new Uint8Array(), !bytes, out) : NO_ENTRY;
         },
         path_open(fd, lookup, path, length, flags, rights, inheriting, more, out) {
             const name = normalPath(textAt(path, length));
@@ -98,6 +106,9 @@ function wasiOf(files, memoryOf) {
     };
 }
 
+// PageFormat of page.h
+const FORMATS = ['text', 'json', 'obj', 'svg', 'steps', 'textbook', 'textbook-steps'];
+
 class Tracer {
     // module: a compiled WebAssembly.Module; files: Map of normal path -> Uint8Array, which may change later.
     static async make(module, files) {
@@ -133,8 +144,9 @@ class Tracer {
         if (!done) this.fail();
     }
 
-    set({columns = 0, rows = 0, grid = 0, adaptive = false, arithmetic = 0}) {
-        this.c.page_set(columns, rows, grid, adaptive ? 1 : 0, arithmetic);
+    // arithmetic: a PageArithmetic of page.h; tree: an AccelKind of render.h
+    set({columns = 0, rows = 0, grid = 0, adaptive = false, arithmetic = 0, tree = 1}) {
+        this.c.page_set(columns, rows, grid, adaptive ? 1 : 0, arithmetic, tree);
     }
 
     pixelsAt(at, rows) {
@@ -152,11 +164,21 @@ class Tracer {
     }
 
     trace(column, row, format = 'text', {sample = 0, verbose = false, colour = false, columns = 0} = {}) {
-        const number = ['text', 'json', 'obj', 'svg', 'steps'].indexOf(format);
+        const number = FORMATS.indexOf(format);
         const flags = (verbose ? 1 : 0) + (colour ? 2 : 0);
         const at = this.c.page_trace(column, row, sample, number, flags, columns);
+        return this.writtenAt(at);
+    }
+
+    // The text in which page_module.c says it.
+    writtenAt(at) {
         if (!at) this.fail();
         return new TextDecoder().decode(new Uint8Array(this.c.memory.buffer, at, this.value('length')));
+    }
+
+    // Where two pixels part.
+    diff(one, other, columns = 0) {
+        return this.writtenAt(this.c.page_diff(...one, ...other, columns));
     }
 
     numbers(count) {
@@ -182,9 +204,11 @@ class Tracer {
     tested(column, row, hit, light, sample = 0) {
         return this.numbers(this.c.page_tested(column, row, sample, hit, light));
     }
-    // kind: an AccelKind of render.h
-    nodes(column, row, kind, hit, light) {
-        return this.numbers(this.c.page_nodes(column, row, kind, hit, light));
+    // {numbers, words: what the program says of each}
+    nodes(column, row, hit, light) {
+        const numbers = this.numbers(this.c.page_nodes(column, row, hit, light));
+        const words = this.writtenAt(this.c.page_text()).trimEnd().split('\n');
+        return {numbers, words: words.map(line => line.trim())};
     }
 
     nodeVerdict(number) {

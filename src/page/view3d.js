@@ -1,12 +1,12 @@
 // The scene from outside, and the rays of one pixel in it, by WebGL2. What is to be seen is told by space.js; here it
-// is drawn, and the onlooker moves.
+// is drawn.
 'use strict';
 
 const FACE_NUMBERS = 21; // of page.h, as are the places' and the lines' forms
-const HALF_ANGLE = 0.4; // of what the onlooker sees, from the middle up
 
-class View3D {
+class View3D extends Onlooker {
     constructor(canvas, drawn) {
+        super();
         const gl = canvas.getContext('webgl2', {antialias: true, preserveDrawingBuffer: true});
         if (!gl) throw new Error('This browser has no WebGL2: two plans of the program stand in.');
         this.gl = gl;
@@ -35,7 +35,7 @@ class View3D {
         this.up = vec.unit(at(2));
         const look = vec.unit(vec.sub(this.lookAt, this.camera));
         // From the scene to the camera, level.
-    this.front = vec.unit(vec.sub(vec.scale(vec.dot(look, this.up), this.up), look));
+        this.front = vec.unit(vec.sub(vec.scale(vec.dot(look, this.up), this.up), look));
         this.side = vec.cross(this.up, this.front);
         this.measure(seen);
         this.fillFaces();
@@ -45,25 +45,6 @@ class View3D {
             at: 2,
         });
         this.whole();
-    }
-
-    // A floor that goes on for ever would make all else small: what the camera sees counts, without the farthest of it.
-    measure(seen) {
-        const low = [...this.camera];
-        const high = [...this.camera];
-        for (let axis = 0; axis < 3; axis++) {
-            const sorted = [...seen]
-                .filter((x, k) => k % 3 === axis)
-                .concat(this.camera[axis])
-                .sort((a, b) => a - b);
-            low[axis] = Math.min(low[axis], sorted[Math.floor(sorted.length * 0.1)]);
-            high[axis] = Math.max(high[axis], sorted[Math.ceil(sorted.length * 0.9) - 1]);
-        }
-        this.centre = vec.scale(0.5, vec.add(low, high));
-        this.extent = [0, 1, 2, 3, 4, 5, 6, 7].map(k =>
-            [0, 1, 2].map(axis => ((k >> axis) & 1 ? high : low)[axis]),
-        );
-        this.size = Math.max(...vec.sub(high, low), 1e-9);
     }
 
     face(f) {
@@ -142,75 +123,6 @@ class View3D {
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
         this.pictured = true;
         this.draw();
-    }
-
-    // --- The onlooker, who turns about a target ---
-
-    // From where all that counts is seen, as near as can be.
-    whole() {
-        Object.assign(this, {target: this.centre, turn: 0.7, tilt: 0.45});
-        const [right, up, back] = this.frame();
-        const tan = 0.9 * Math.tan(HALF_ANGLE);
-        const shape = this.canvas.clientWidth / this.canvas.clientHeight || 1.5;
-        this.distance = Math.max(
-            ...this.extent.map(corner => {
-                const p = vec.sub(corner, this.centre);
-                return (
-                    vec.dot(p, back) +
-                    Math.max(Math.abs(vec.dot(p, up)) / tan, Math.abs(vec.dot(p, right)) / tan / shape)
-                );
-            }),
-            0.1 * this.size,
-        );
-    }
-
-    move(dx, dy) {
-        this.turn -= dx;
-        this.tilt = Math.max(-1.57, Math.min(1.57, this.tilt + dy));
-        this.draw();
-    }
-    zoom(factor) {
-        this.distance *= factor;
-        this.draw();
-    }
-    centreOn(point) {
-        this.target = point;
-        this.draw();
-    }
-
-    pan(dx, dy) {
-        // in pixels
-        const [right, up] = this.frame();
-        const k = (this.distance * 0.85) / this.canvas.clientHeight;
-        this.target = vec.add(this.target, vec.add(vec.scale(-dx * k, right), vec.scale(dy * k, up)));
-        this.draw();
-    }
-
-    // Looks from one point at another.
-    lookFrom(from, to) {
-        const back = vec.unit(vec.sub(from, to));
-        this.target = to;
-        this.distance = vec.length(vec.sub(from, to)) || this.size;
-        this.tilt = Math.asin(Math.max(-1, Math.min(1, vec.dot(back, this.up))));
-        this.turn = Math.atan2(vec.dot(back, this.side), vec.dot(back, this.front));
-        this.draw();
-    }
-
-    frame() {
-        const level = vec.add(
-            vec.scale(Math.cos(this.turn), this.front),
-            vec.scale(Math.sin(this.turn), this.side),
-        );
-        const back = vec.add(vec.scale(Math.cos(this.tilt), level), vec.scale(Math.sin(this.tilt), this.up));
-        const right = vec.add(
-            vec.scale(-Math.sin(this.turn), this.front),
-            vec.scale(Math.cos(this.turn), this.side),
-        );
-        return [right, vec.cross(back, right), back];
-    }
-
-    eye() {
-        return vec.add(this.target, vec.scale(this.distance, this.frame()[2]));
     }
 
     // The point of the scene that is seen at x, y of the canvas; null where there is none.

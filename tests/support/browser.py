@@ -136,6 +136,24 @@ class Browser:
             self.mouse("mouseMoved", x + dx * k / 5, y + dy * k / 5, button="left", buttons=1)
         self.mouse("mouseReleased", x + dx, y + dy, button="left", clickCount=1)
 
+    def double_click(self, x, y):
+        for count in (1, 2):
+            self.mouse("mousePressed", x, y, button="left", clickCount=count)
+            self.mouse("mouseReleased", x, y, button="left", clickCount=count)
+
+    def fingers(self, *moves):
+        """Touches the page: each move is a list of (x, y), one a finger."""
+        for k, places in enumerate(moves):
+            points = [{"x": x, "y": y, "id": finger} for finger, (x, y) in enumerate(places)]
+            self.call("Input.dispatchTouchEvent", type="touchMove" if k else "touchStart", touchPoints=points)
+        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
+    def drop(self, paths, x, y):
+        """Files and folders of this machine, dropped there."""
+        data = {"items": [], "files": [os.path.abspath(path) for path in paths], "dragOperationsMask": 1}
+        for kind in ("dragEnter", "dragOver", "drop"):
+            self.call("Input.dispatchDragEvent", type=kind, x=x, y=y, data=data)
+
     def key(self, key, shift=False):
         codes = {
             "ArrowLeft": 37,
