@@ -261,8 +261,8 @@ class InBrowser(unittest.TestCase):
         words = "trace scenes/lessons/acne.json --size 80x60 --grid 1 --pixel 30,46 --arithmetic textbook"
         want = rectray(*words.split(), "--precision", "float")[0].decode()
         self.assertEqual(self.value("page.tracer.trace(30, 46, 'textbook')"), want)
-        steps = self.value("plain(page.textbook.head + page.textbook.steps.map(s => s.text).join(''))")
-        self.assertEqual("".join(steps.split()), "".join(want.split()))
+        steps = self.value("JSON.parse(page.tracer.trace(30, 46, 'textbook-steps'))")
+        self.assertEqual(steps["head"] + "".join(step["text"] for step in steps["steps"]), want)
         said = self.value("$('answer').querySelector('.textbook pre').textContent").split()
         self.assertIn(" ".join(said), " ".join(want.split()))
         self.assertIn("They part at P1", " ".join(said))
@@ -352,15 +352,13 @@ class InBrowser(unittest.TestCase):
     # --- Choosing a pixel ---
 
     def test_a_click_tells_the_pixel(self):
-        self.browser.resize(1599, 900)  # room for lines of 100 columns
         self.open(GALLERY)
         x, y, scale = self.value("""(() => { const b = $('picture').getBoundingClientRect();
             return [b.left, b.top, b.width / 320]; })()""")
         self.browser.click(round(x + 225.5 * scale), round(y + 95.5 * scale))
         self.assertEqual(self.value("String(page.pixel)"), "225,95")
-        want, _ = rectray(
-            "trace", "scenes/gallery.json", "--pixel", "225,95", "--size", "320x180", "--grid", "1"
-        )
+        words = "trace scenes/gallery.json --pixel 225,95 --size 320x180 --grid 1 --width".split()
+        want, _ = rectray(*words, str(self.value("columnsOfText()")))
         self.assertEqual(
             [line.rstrip() for line in self.told().splitlines()],
             [want.decode().splitlines()[0]]

@@ -94,7 +94,6 @@ function wasiOf(files, memoryOf) {
         },
         fd_close: fd => (open.delete(fd) ? OK : BAD_FILE),
         fd_readdir: () => BAD_FILE, // there are no folders to look through
-        path_filestat_get: () => NO_ENTRY,
         fd_write: () => BAD_FILE,
         clock_time_get(id, precision, out) {
             view().setBigUint64(out, BigInt(Math.round(performance.now() * 1e6)), true);
