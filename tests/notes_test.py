@@ -66,7 +66,7 @@ class Json(CommandTest):
         self.assertTrue(document["valid"])
         self.assertEqual(document["notes"], [])
         self.assertEqual(document["holds"] | {"camera": 0, "centre": 0},
-                         {"columns": 8, "rows": 6, "grid": 1, "adaptive": False, "camera": 0, "lights": 1,
+                         {"columns": 8, "rows": 6, "grid": 1, "adaptive": False, "camera": 0, "lights": 1, "parts": [],
                           "materials": 2, "objects": 2, "faces": 2, "faces_traced": 2, "triangles": 1, "one_sided": 1,
                           "reflecting": 0, "shadow": "black", "viewer": "camera", "max_bounces": 5, "centre": 0})
         self.assertEqual(document["holds"]["camera"], {"position": [1000.5, 0.5, 1], "look_at": [1000.5, 0.5, 0]})

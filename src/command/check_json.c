@@ -6,6 +6,21 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* The named parts of models. */
+static void add_parts(JsonNode array, const Scene *scene)
+{
+    for (int i = 0; i < scene->part_count; i++) {
+        const ScenePart *part = &scene->parts[i];
+        const Object *object = &scene->objects[scene->faces[part->first_face].object];
+        int end = object->first_face + object->face_count;
+        bool is_last = i + 1 == scene->part_count || scene->parts[i + 1].first_face >= end;
+        JsonNode node = json_node_append_object(array);
+        json_node_text(node, "object", object->name);
+        json_node_text(node, "name", part->name);
+        json_node_number(node, "faces_traced", (is_last ? end : scene->parts[i + 1].first_face) - part->first_face);
+    }
+}
+
 static void add_contents(JsonNode node, const Scene *scene, const Survey *survey)
 {
     json_node_number(node, "columns", scene->screen.columns);
@@ -18,6 +33,7 @@ static void add_contents(JsonNode node, const Scene *scene, const Survey *survey
     json_node_number(node, "lights", scene->light_count);
     json_node_number(node, "materials", scene->material_count);
     json_node_number(node, "objects", scene->object_count);
+    add_parts(json_node_array(node, "parts"), scene);
     json_node_number(node, "faces", survey->numbers);
     json_node_number(node, "faces_traced", scene->face_count);
     json_node_number(node, "triangles", survey->triangles);

@@ -36,6 +36,8 @@ static void print_contents(const Scene *scene, const Survey *survey)
     print_row("lights", "", scene->light_count);
     print_row("materials", "", scene->material_count);
     print_row("objects", "", scene->object_count);
+    if (scene->part_count > 0)
+        print_row("", " named parts of models", scene->part_count);
     print_row("faces", "", survey->numbers);
     if (scene->face_count > survey->numbers)
         print_row("", " traced: faces that are not planar are split in two", scene->face_count);

@@ -108,6 +108,19 @@ static bool read_box(const Json *json, const cJSON *item, SceneBuild *build)
     return scene_build_box(build, low, high) || fail_build(json, item, build);
 }
 
+/* An object without a name of its own, whose parts have names: the name of the model's file. False without memory. */
+static bool name_after_file(SceneBuild *build, const char *path)
+{
+    Object *object = &build->scene->objects[build->scene->object_count - 1];
+    const char *slash = strrchr(path, '/');
+    char *name = text_copy(slash ? slash + 1 : path, build->error);
+    if (!name)
+        return false;
+    free(object->name);
+    object->name = name;
+    return true;
+}
+
 /* A path that cannot be read, with one that can, where the name was written on Windows or in another case. */
 static bool fail_path(const Json *json, const cJSON *item, const char *reason)
 {
@@ -123,7 +136,7 @@ static bool fail_path(const Json *json, const cJSON *item, const char *reason)
 }
 
 /* A model's own faults say their line; that there is no such file is told at the place that names it. */
-static bool read_obj(const Json *json, const cJSON *item, SceneBuild *build)
+static bool read_obj(const Json *json, const cJSON *item, bool is_named, SceneBuild *build)
 {
     const char *name = NULL;
     if (!json_string(json, item, &name))
@@ -134,7 +147,8 @@ static bool read_obj(const Json *json, const cJSON *item, SceneBuild *build)
     Error reason = {.kind = ERROR_NONE};
     bool good = text_check(path, &reason);
     if (good)
-        good = scene_obj_read(build, path);
+        good = scene_obj_read(build, path) &&
+               (is_named || build->scene->part_count == build->first_part || name_after_file(build, path));
     else if (reason.kind == ERROR_INPUT)
         fail_path(json, item, reason.text);
     else
@@ -204,7 +218,8 @@ static bool read_object(const Json *json, const cJSON *item, int index, SceneBui
         return false;
     if (mesh)
         return read_faces(json, keys[VERTICES].item, keys[FACES].item, build);
-    return keys[BOX].item ? read_box(json, keys[BOX].item, build) : read_obj(json, keys[OBJ].item, build);
+    return keys[BOX].item ? read_box(json, keys[BOX].item, build)
+                          : read_obj(json, keys[OBJ].item, keys[NAME].item, build);
 }
 
 bool scene_objects_begin(const Json *json, int index, bool is_model, SceneBuild *build)
@@ -213,7 +228,7 @@ bool scene_objects_begin(const Json *json, int index, bool is_model, SceneBuild 
     memcpy(keys, object_keys, sizeof keys);
     return json_members(json, json->root, keys, OBJECT_KEYS) && !keys[VERTICES].item && !keys[FACES].item &&
            !keys[BOX].item && (keys[OBJ].item != NULL) == is_model && begin_object(json, keys, index, build) &&
-           (!is_model || read_obj(json, keys[OBJ].item, build));
+           (!is_model || read_obj(json, keys[OBJ].item, keys[NAME].item, build));
 }
 
 bool scene_objects_read(const Json *json, const cJSON *objects, SceneBuild *build)

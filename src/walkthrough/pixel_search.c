@@ -21,16 +21,23 @@ typedef struct Sight {
 typedef struct Search {
     const PixelWish *wish;
     int object, face; /* that are wished for; -1: any. `face` is its number in the object */
+    const char *part; /* of the object; NULL: any */
     bool in_mirrors;  /* the face may also be a later hit of the path */
     Scene scene;      /* a copy with one ray for each pixel */
     Tracer tracer;
     Sight sight;
 } Search;
 
+static bool is_in_part(const Search *search, int face)
+{
+    const char *part = search->part ? scene_part_of(&search->scene, face) : NULL;
+    return !search->part || (part && strcmp(part, search->part) == 0);
+}
+
 static bool is_wished(const Search *search, int face)
 {
     return search->object < 0 ||
-           (search->scene.faces[face].object == search->object &&
+           (search->scene.faces[face].object == search->object && is_in_part(search, face) &&
             (search->face < 0 || walkthrough_face_in_object(&search->scene, face) == search->face));
 }
 
@@ -104,7 +111,29 @@ static Best search_all(Search *search, int step)
     return middle.value < HUGE_VAL ? search_grid(search, step, &middle) : middle;
 }
 
-/* Finds the object, and the number of the face in it, that the wish names. */
+/* Whether the first `length` characters are "OBJECT", or "OBJECT: PART" where there is a part. */
+static bool is_called(const char *object, const char *part, const char *name, size_t length)
+{
+    size_t begin = strlen(object), whole = part ? begin + 2 + strlen(part) : begin;
+    return length == whole && strncmp(name, object, begin) == 0 &&
+           (!part || (strncmp(name + begin, ": ", 2) == 0 && strncmp(name + begin + 2, part, strlen(part)) == 0));
+}
+
+static void find_owner(Search *search, const Scene *scene, const char *name, size_t length)
+{
+    for (int i = 0; i < scene->object_count && search->object < 0; i++)
+        if (is_called(scene->objects[i].name, NULL, name, length))
+            search->object = i;
+    for (int i = 0; i < scene->part_count && search->object < 0; i++) {
+        int object = scene->faces[scene->parts[i].first_face].object;
+        if (is_called(scene->objects[object].name, scene->parts[i].name, name, length)) {
+            search->object = object;
+            search->part = scene->parts[i].name;
+        }
+    }
+}
+
+/* Finds the object, its part, and the number of the face in it, that the wish names. */
 static bool find_face(Search *search, const Scene *scene, Error *error)
 {
     const char *name = search->wish->face;
@@ -116,9 +145,7 @@ static bool find_face(Search *search, const Scene *scene, Error *error)
     long number = slash ? strtol(slash + 1, &end, 10) : -1;
     bool numbered = slash && end != slash + 1 && *end == '\0' && number >= 0 && number <= scene->face_count;
     size_t length = numbered ? (size_t)(slash - name) : strlen(name);
-    for (int i = 0; i < scene->object_count && search->object < 0; i++)
-        if (strlen(scene->objects[i].name) == length && strncmp(scene->objects[i].name, name, length) == 0)
-            search->object = i;
+    find_owner(search, scene, name, length);
     if (search->object < 0)
         return error_set(error, ERROR_USAGE, "--face '%s': no object has that name; `rectray check` counts them", name);
     search->face = numbered ? (int)number : -1;

@@ -13,6 +13,8 @@ static void put_face(JsonNode node, const Scene *scene, int face)
 {
     json_node_number(node, "face", scene->faces[face].number);
     json_node_text(node, "object", scene->objects[scene->faces[face].object].name);
+    if (scene_part_of(scene, face))
+        json_node_text(node, "part", scene_part_of(scene, face));
     json_node_number(node, "face_in_object", walkthrough_face_in_object(scene, face));
 }
 

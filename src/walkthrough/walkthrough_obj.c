@@ -5,6 +5,7 @@
 #include "walkthrough/walkthrough_boxes.h"
 #include "walkthrough/walkthrough_formats.h"
 #include "walkthrough/walkthrough_lines.h"
+#include "walkthrough/walkthrough_words.h"
 
 typedef struct ObjFile {
     FILE *out;
@@ -85,10 +86,12 @@ static void write_face(ObjFile *file, const Scene *scene, const Face *face)
 static void write_scene(ObjFile *file, const Scene *scene)
 {
     int object = -1, material = -1;
+    const char *part = NULL;
     for (int i = 0; i < scene->face_count; i++) {
         const Face *face = &scene->faces[i];
-        if (face->object != object)
-            fprintf(file->out, "g scene_%s\n", word_of(scene->objects[face->object].name).text);
+        if (face->object != object || scene_part_of(scene, i) != part)
+            fprintf(file->out, "g scene_%s\n", word_of(walkthrough_owner_words(scene, i, 80).text).text);
+        part = scene_part_of(scene, i);
         if (face->material != material)
             fprintf(file->out, "usemtl %s\n", ink_name(scene->materials[face->material].name, 80).text);
         object = face->object;

@@ -3,11 +3,25 @@
 
 #include <string.h>
 
+InkText walkthrough_owner_words(const Scene *scene, int face, int columns)
+{
+    const char *object = scene->objects[scene->faces[face].object].name, *part = scene_part_of(scene, face);
+    if (!part)
+        return ink_name(object, columns);
+    InkText whole = ink_name(part, 60);
+    int room = columns - 2 - ink_width(whole.text);
+    if (room < columns / 3) { /* the longer one is cut, both where both are long */
+        room = columns / 3;
+        whole = ink_name(part, columns - 2 - room);
+    }
+    return ink_text("%.60s: %.60s", ink_name(object, room).text, whole.text);
+}
+
 InkText walkthrough_face_words(const Scene *scene, int face, int columns)
 {
     InkText number = ink_text("/%d", walkthrough_face_in_object(scene, face));
     int room = columns - (int)strlen(number.text);
-    return ink_text("%.64s%s", ink_name(scene->objects[scene->faces[face].object].name, room).text, number.text);
+    return ink_text("%.64s%s", walkthrough_owner_words(scene, face, room).text, number.text);
 }
 
 InkText walkthrough_light_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *light_end)

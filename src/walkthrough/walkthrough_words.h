@@ -5,7 +5,10 @@
 #include "walkthrough/ink.h"
 #include "walkthrough/walkthrough.h"
 
-/* "floor/2": the face's object, and its number in it. */
+/* "floor", or "house: roof" where the face belongs to a part of the object. */
+InkText walkthrough_owner_words(const Scene *scene, int face, int columns);
+
+/* "floor/2", "house: roof/17": the same, and the face's number in the object. */
 InkText walkthrough_face_words(const Scene *scene, int face, int columns);
 
 /* Whether a light reaches the latest hit, or what keeps it away. `place` stands at the EVENT_LIGHT_END. */
