@@ -102,7 +102,7 @@ class Memory(FaultTest):
         self.every("check", "model.json", "-q")
 
     def test_render(self):
-        for accel in ("none", "bvh", "kdtree"):
+        for accel in ("none", "bvh", "kdtree", "lbvh"):
             self.every("render", "scene.json", "-b", "reference", "--threads", "1", "--accel", accel, "--quiet",
                        "--stats=json", "-o", "a.png")
         self.every("render", "scene.json", "-b", "reference", "--threads", "1", "--quiet", "-o", "-")

@@ -13,7 +13,8 @@
 
 enum { FACES = 100, RAYS = 15000 };
 
-static const AccelKind TREES[] = {ACCEL_KDTREE, ACCEL_BVH};
+static const AccelKind TREES[] = {ACCEL_KDTREE, ACCEL_BVH, ACCEL_LBVH};
+enum { TREE_KINDS = sizeof TREES / sizeof TREES[0] };
 static Error error;
 
 void setUp(void)
@@ -36,7 +37,9 @@ static bool same_hit(CastHit a, CastHit b)
 
 static void compare_nearest(const Scene *scene)
 {
-    Accel trees[] = {tree_of(scene, ACCEL_KDTREE), tree_of(scene, ACCEL_BVH)};
+    Accel trees[TREE_KINDS];
+    for (int k = 0; k < TREE_KINDS; k++)
+        trees[k] = tree_of(scene, TREES[k]);
     RenderReport report = {.lanes = 1};
     uint64_t state = 7;
     char told[200];
@@ -48,13 +51,13 @@ static void compare_nearest(const Scene *scene)
         snprintf(told, sizeof told, "ray %d from %a %a %a along %a %a %a", i, ray.origin.x, ray.origin.y, ray.origin.z,
                  ray.direction.x, ray.direction.y, ray.direction.z);
         CastHit expected = reference_nearest(&(Tracer){.scene = scene, .report = &report}, ray, skip);
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < TREE_KINDS; k++) {
             CastHit actual =
                 reference_nearest(&(Tracer){.scene = scene, .accel = &trees[k], .report = &report}, ray, skip);
             TEST_ASSERT_TRUE_MESSAGE(same_hit(expected, actual), told);
         }
     }
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < TREE_KINDS; k++)
         accel_free(&trees[k]);
 }
 
@@ -126,7 +129,7 @@ static void trees_should_find_a_blocker_where_there_is_one(void)
 {
     for (int kind = 0; kind < CROWD_KINDS; kind++) {
         Scene scene = crowd_scene((Crowd)kind, FACES, 0x7654321u + (unsigned)kind);
-        for (int i = 0; i < 2; i++)
+        for (int i = 0; i < TREE_KINDS; i++)
             compare_shadows(&scene, TREES[i]);
         scene_free(&scene);
     }
@@ -150,7 +153,7 @@ static void pictures_should_not_depend_on_the_tree(void)
     for (int k = 0; k < 3; k++) {
         Scene scene = crowd_scene(kinds[k], FACES, 5);
         RenderReport report;
-        for (AccelKind accel = ACCEL_AUTO; accel <= ACCEL_BVH; accel++) {
+        for (AccelKind accel = ACCEL_AUTO; accel <= ACCEL_LBVH; accel++) {
             RenderSettings settings = {.accel = accel, .threads = 2};
             BandSink sink = {keep_band, accel == ACCEL_AUTO ? expected : actual};
             TEST_ASSERT_TRUE(reference_render(&scene, &settings, sink, &report, &error));
@@ -178,6 +181,34 @@ static void auto_should_build_a_bvh_only_where_it_pays(void)
     TEST_ASSERT_FALSE(accel_has_tree(&accel));
     accel_free(&accel);
     scene_free(&scene);
+}
+
+static void a_sorted_tree_should_be_a_bvh_of_another_name(void)
+{
+    Scene scene = crowd_scene(CROWD_QUADS, FACES, 3);
+    for (AccelKind kind = ACCEL_KDTREE; kind <= ACCEL_LBVH; kind++) {
+        Accel accel = tree_of(&scene, kind);
+        TEST_ASSERT_EQUAL_INT(kind == ACCEL_KDTREE ? ACCEL_KDTREE : ACCEL_BVH, accel.kind);
+        TEST_ASSERT_EQUAL_INT(kind, accel_name(&accel));
+        accel_free(&accel);
+        TEST_ASSERT_EQUAL_INT(ACCEL_NONE, accel_name(&accel));
+    }
+    scene_free(&scene);
+}
+
+static void sorting_should_pay_for_few_rays_in_many_faces(void)
+{
+    Scene scene = {.screen = {.columns = 1000, .rows = 1000}, .grid = 1, .face_count = 1000000};
+    TEST_ASSERT_TRUE(accel_sorting_pays(&scene));
+    scene.grid = 8;
+    TEST_ASSERT_FALSE(accel_sorting_pays(&scene));
+    scene.grid = 1;
+    scene.face_count = 10000;
+    TEST_ASSERT_FALSE(accel_sorting_pays(&scene));
+    scene.screen.columns = scene.screen.rows = 10;
+    TEST_ASSERT_TRUE(accel_sorting_pays(&scene));
+    scene.face_count = 100;
+    TEST_ASSERT_FALSE(accel_sorting_pays(&scene));
 }
 
 static void no_faces_should_need_no_tree(void)
@@ -325,6 +356,8 @@ int main(void)
     RUN_TEST(trees_should_find_a_blocker_where_there_is_one);
     RUN_TEST(pictures_should_not_depend_on_the_tree);
     RUN_TEST(auto_should_build_a_bvh_only_where_it_pays);
+    RUN_TEST(a_sorted_tree_should_be_a_bvh_of_another_name);
+    RUN_TEST(sorting_should_pay_for_few_rays_in_many_faces);
     RUN_TEST(no_faces_should_need_no_tree);
     RUN_TEST(recorder_should_hear_of_each_node_and_face);
     RUN_TEST(recorder_should_change_nothing_and_hear_what_is_counted);

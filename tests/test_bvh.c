@@ -1,5 +1,6 @@
 /* The bounding volume hierarchy: what every tree must be, and how good it is. */
 #include "trace/bvh.h"
+#include "trace/bvh_morton.h"
 
 #include "support/crowds.h"
 #include "support/plain_bvh.h"
@@ -23,6 +24,13 @@ static Bvh tree_of(const Scene *scene, int threads)
 {
     Bvh bvh;
     TEST_ASSERT_TRUE(bvh_build(&bvh, scene, threads, &error));
+    return bvh;
+}
+
+static Bvh sorted_tree_of(const Scene *scene, int threads)
+{
+    Bvh bvh;
+    TEST_ASSERT_TRUE(bvh_morton_build(&bvh, scene, threads, &error));
     return bvh;
 }
 
@@ -55,13 +63,13 @@ static void check_node(const Bvh *bvh, const Scene *scene, int index, int depth,
 
 static void each_face_should_be_in_one_leaf_and_in_all_boxes_above(void)
 {
-    for (int kind = 0; kind < CROWD_KINDS; kind++) {
-        Scene scene = crowd_scene((Crowd)kind, FACES, 17);
-        Bvh bvh = tree_of(&scene, 1);
+    for (int i = 0; i < 2 * CROWD_KINDS; i++) {
+        Scene scene = crowd_scene((Crowd)(i / 2), FACES, 17);
+        Bvh bvh = i % 2 ? sorted_tree_of(&scene, 1) : tree_of(&scene, 1);
         int seen[FACES] = {0};
         check_node(&bvh, &scene, 0, 0, seen);
-        for (int i = 0; i < FACES; i++)
-            TEST_ASSERT_EQUAL_INT(1, seen[i]);
+        for (int k = 0; k < FACES; k++)
+            TEST_ASSERT_EQUAL_INT(1, seen[k]);
         bvh_free(&bvh);
         scene_free(&scene);
     }
@@ -72,10 +80,12 @@ static void a_floor_below_many_faces_should_be_set_apart_at_the_root(void)
     Scene scene = crowd_scene(CROWD_TILES, 200, 17);
     scene.faces[123] = face_at_height(-50, -50, 50, 50, -1);
     scene.planes[123] = face_plane(&scene.faces[123]);
-    Bvh bvh = tree_of(&scene, 1);
-    TEST_ASSERT_EQUAL_INT(1, bvh.nodes[1].count);
-    TEST_ASSERT_EQUAL_INT(123, bvh.order[bvh.nodes[1].first]);
-    bvh_free(&bvh);
+    for (int sorted = 0; sorted < 2; sorted++) {
+        Bvh bvh = sorted ? sorted_tree_of(&scene, 1) : tree_of(&scene, 1);
+        TEST_ASSERT_EQUAL_INT(1, bvh.nodes[1].count);
+        TEST_ASSERT_EQUAL_INT(123, bvh.order[bvh.nodes[1].first]);
+        bvh_free(&bvh);
+    }
     scene_free(&scene);
 }
 
@@ -86,6 +96,9 @@ static void one_face_should_be_a_leaf(void)
     TEST_ASSERT_EQUAL_INT(1, bvh.nodes[0].count);
     TEST_ASSERT_EQUAL_INT(0, bvh.order[0]);
     bvh_free(&bvh);
+    bvh_free(&bvh);
+    bvh = sorted_tree_of(&scene, 2);
+    TEST_ASSERT_EQUAL_INT(1, bvh.nodes[0].count);
     bvh_free(&bvh);
     scene_free(&scene);
 }
@@ -105,6 +118,21 @@ static void the_tree_should_not_depend_on_the_threads(void)
     Scene scene = crowd_scene(CROWD_QUADS, 30000, 23);
     Bvh one = tree_of(&scene, 1), many = tree_of(&scene, 5);
     TEST_ASSERT_TRUE(same_subtree(&one, &many, 0));
+    bvh_free(&one);
+    bvh_free(&many);
+    scene_free(&scene);
+}
+
+/* As many faces as are sorted in several pieces. */
+static void a_sorted_tree_should_not_depend_on_the_threads(void)
+{
+    Scene scene = crowd_scene(CROWD_QUADS, 300000, 23);
+    Bvh one = sorted_tree_of(&scene, 1), many = sorted_tree_of(&scene, 5);
+    TEST_ASSERT_TRUE(same_subtree(&one, &many, 0));
+    static int seen[300000];
+    check_node(&one, &scene, 0, 0, seen);
+    for (int i = 0; i < 300000; i++)
+        TEST_ASSERT_EQUAL_INT(1, seen[i]);
     bvh_free(&one);
     bvh_free(&many);
     scene_free(&scene);
@@ -217,6 +245,20 @@ static void the_heuristic_should_beat_halving(void)
     }
 }
 
+/* Some of the crowds are flat, which cells of unequal sides would spoil. */
+static void sorting_should_cost_little_more_than_the_heuristic(void)
+{
+    for (int kind = 0; kind < CROWD_EQUAL; kind++) {
+        Scene scene = crowd_scene((Crowd)kind, FACES, 29);
+        Bvh split = tree_of(&scene, 1), sorted = sorted_tree_of(&scene, 1);
+        double ratio = tree_cost(&sorted, 0) / tree_cost(&split, 0);
+        TEST_ASSERT_TRUE_MESSAGE(ratio < 1.2, "by sorting / by the heuristic");
+        bvh_free(&split);
+        bvh_free(&sorted);
+        scene_free(&scene);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -224,9 +266,11 @@ int main(void)
     RUN_TEST(a_floor_below_many_faces_should_be_set_apart_at_the_root);
     RUN_TEST(one_face_should_be_a_leaf);
     RUN_TEST(the_tree_should_not_depend_on_the_threads);
+    RUN_TEST(a_sorted_tree_should_not_depend_on_the_threads);
     RUN_TEST(the_tree_should_be_the_plain_builder_s_node_for_node);
     RUN_TEST(large_faces_should_be_set_apart_as_the_plain_builder_does);
     RUN_TEST(a_large_tree_should_be_the_plain_builder_s);
     RUN_TEST(the_heuristic_should_beat_halving);
+    RUN_TEST(sorting_should_cost_little_more_than_the_heuristic);
     return UNITY_END();
 }

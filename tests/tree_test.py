@@ -20,7 +20,7 @@ def rows_of(text):
     """The rows of the table, by their labels: the values of the trees."""
     rows = {}
     for line in text.splitlines():
-        match = re.match(r"\s*(.*?)\s{2,}([\d.]+)(?:\s+([\d.]+))?(?: \w+)?$", line)
+        match = re.match(r"\s*(.*?)\s{2,}([\d.]+)(?:\s+([\d.]+)\s+([\d.]+))?(?: \w+)?$", line)
         if match:
             rows[match[1]] = [float(value) for value in match.groups()[1:] if value]
     return rows
@@ -28,12 +28,12 @@ def rows_of(text):
 
 class Table(CommandTest):
     def test_it_counts_the_boxes_that_the_model_has(self):
-        both = rows_of(self.run_program("tree", GALLERY)[0].decode())
-        for k, accel in enumerate(("kdtree", "bvh")):
+        all_trees = rows_of(self.run_program("tree", GALLERY)[0].decode())
+        for k, accel in enumerate(("kdtree", "bvh", "lbvh")):
             one = rows_of(self.run_program("tree", GALLERY, "--accel", accel)[0].decode())
             for label, values in one.items():
                 if label != "building it took":
-                    self.assertEqual(values, [both[label][k]], label)
+                    self.assertEqual(values, [all_trees[label][k]], label)
             self.run_program("tree", GALLERY, "-a", accel, "-o", "tree.obj")
             model = self.bytes_of("tree.obj").decode()
             levels = [int(level) for level in re.findall(r"(?m)^g level_(\d+)$", model)]
@@ -44,12 +44,12 @@ class Table(CommandTest):
             sizes = {int(label): values[0] for label, values in one.items() if label.isdigit()}
             self.assertEqual(sum(sizes.values()), one["leaves"][0])
             self.assertEqual(sum(size * count for size, count in sizes.items()), one["faces in leaves"][0])
-        self.assertEqual(both["faces in leaves"][1], 572)
-        self.assertGreater(both["faces in leaves"][0], 572)
+        self.assertEqual(all_trees["faces in leaves"][1:], [572, 572])
+        self.assertGreater(all_trees["faces in leaves"][0], 572)
 
     def test_the_expected_numbers_are_those_of_the_surfaces(self):
         """The sums over the boxes of the model, each with the chance that a line through the first one meets it."""
-        for accel, step in (("kdtree", 1), ("bvh", 0.5)):
+        for accel, step in (("kdtree", 1), ("bvh", 0.5), ("lbvh", 0.5)):
             table = rows_of(self.run_program("tree", GALLERY, "--accel", accel)[0].decode())
             self.run_program("tree", GALLERY, "-a", accel, "-o", "tree.obj")
             areas, leaves = [], []
@@ -63,8 +63,19 @@ class Table(CommandTest):
             inner = step * sum(chance for chance, leaf in zip(chances, leaves) if not leaf)
             self.assertAlmostEqual(inner + table["faces tested"][0], table["SAH cost, in face tests"][0], 1)
 
+    def test_a_large_scene_of_few_rays_is_sorted(self):
+        """Which tree is built shows in --stats only: the picture is the same with each of them."""
+        self.run_program("generate", "city", "--size", "1000", "-o", "city.json", "-q")
+        render = ["render", "city.json", "-q", "--sampling", "uniform:1", "--stats=json", "-o"]
+        for size, chosen in (("320x240", "lbvh"), ("640x640", "bvh")):
+            for name, *words in (("auto",), ("lbvh", "-a", "lbvh"), ("bvh", "-a", "bvh"), ("kdtree", "-a", "kdtree")):
+                stats = json.loads(self.run_program(*render, name + ".png", "--size", size, *words)[0])
+                self.assertEqual(stats["accel"], chosen if name == "auto" else name)
+                self.assertEqual(self.bytes_of(name + ".png"), self.bytes_of("auto.png"), name)
+
     def test_what_cannot_be_is_refused(self):
-        for message, *words in (("expected kdtree or bvh", "--accel", "none"),
+        for message, *words in (("expected kdtree, bvh or lbvh", "--accel", "none"),
+                                ("lbvh tries none", "--accel", "lbvh", "--step", "1"),
                                 ("ends in .svg or .obj", "-o", "tree.png"),
                                 ("a whole number from 1 to 1000", "--step", "0")):
             self.assertIn(message, self.run_program("tree", GALLERY, *words, status=2)[1])

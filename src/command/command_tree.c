@@ -1,4 +1,4 @@
-/* rectray tree: what the builder of a tree decides. A table of both trees, or of one; its first steps with the planes
+/* rectray tree: what the builder of a tree decides. A table of all trees, or of one; its first steps with the planes
  * that were tried; a drawing of its boxes. */
 #include "base/clock.h"
 #include "base/output.h"
@@ -10,9 +10,9 @@
 
 #include <string.h>
 
-enum { TREES = 2 };
+enum { TREES = 3 };
 
-static const AccelKind kinds[TREES] = {ACCEL_KDTREE, ACCEL_BVH};
+static const AccelKind kinds[TREES] = {ACCEL_KDTREE, ACCEL_BVH, ACCEL_LBVH};
 
 /* A tree, and how long building it took. */
 typedef struct Built {
@@ -108,7 +108,7 @@ static void print_table(const Scene *scene, const Built *built, int trees)
     }
     printf("%-36s", "tree");
     for (int i = 0; i < trees; i++)
-        printf(" %14s", render_accels[built[i].accel.kind]);
+        printf(" %14s", render_accels[accel_name(&built[i].accel)]);
     printf("\n");
     print_count("nodes", built, trees, nodes_of);
     print_count("leaves", built, trees, leaves_of);
@@ -163,9 +163,9 @@ static bool show_one(const Options *options, const Scene *scene, Error *error)
     return done;
 }
 
-static bool show_both(const Scene *scene, Error *error)
+static bool show_all(const Scene *scene, Error *error)
 {
-    Built built[TREES] = {{.ms = 0}, {.ms = 0}};
+    Built built[TREES] = {{.ms = 0}};
     bool done = true;
     for (int i = 0; i < TREES; i++)
         done = done && build(&built[i], scene, kinds[i], error);
@@ -179,14 +179,16 @@ static bool show_both(const Scene *scene, Error *error)
 bool command_tree(const Options *options, Error *error)
 {
     if (options->settings.accel == ACCEL_NONE)
-        return error_set(error, ERROR_USAGE, "--accel 'none': expected kdtree or bvh");
+        return error_set(error, ERROR_USAGE, "--accel 'none': expected kdtree, bvh or lbvh");
+    if (options->settings.accel == ACCEL_LBVH && options->steps > 0)
+        return error_set(error, ERROR_USAGE, "--step shows the planes that are tried, and lbvh tries none; use bvh");
     Scene scene;
     if (!scene_open(&scene, options, error))
         return false;
     bool one = options->settings.accel != ACCEL_AUTO || options->steps > 0 || options->output;
     bool done = scene.face_count > 0 ||
                 error_set(error, ERROR_INPUT, "%s: a scene without faces has no tree", options->operands[0]);
-    done = done && (one ? show_one(options, &scene, error) : show_both(&scene, error));
+    done = done && (one ? show_one(options, &scene, error) : show_all(&scene, error));
     scene_free(&scene);
     return done;
 }

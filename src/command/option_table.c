@@ -318,7 +318,7 @@ const Option option_table[] = {
      WORD(settings.arithmetic, render_arithmetics)},
     {"shift", 0, "LENGTH", "render trace bench", "of points off their faces in textbook arithmetic (default 1e-5)",
      OWN(set_shift), .expects = "a number from 0 to 1e6, such as 1e-5"},
-    {"accel", 'a', "NAME", "render trace cast bench tree", "auto (default), none, kdtree or bvh: how to find faces",
+    {"accel", 'a', "NAME", "render trace cast bench tree", "auto (default), none, kdtree, bvh, lbvh: how to find faces",
      WORD(settings.accel, render_accels)},
     {"step", 0, "N", "tree", "show the first N nodes with the planes that were tried and their costs",
      NUMBER(steps, 1, 1000)},

@@ -190,7 +190,8 @@ static RenderSettings settings_for_kernel(const RenderSettings *settings)
     return own;
 }
 
-OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *asked, Error *error)
+/* `single`: for one picture only. */
+static OpenclScene *hold(const Scene *scene, const RenderSettings *asked, bool single, Error *error)
 {
     if (!check_settings(scene, asked, error))
         return NULL;
@@ -200,7 +201,8 @@ OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *asked, Error 
         error_memory(error, "a scene on a device");
         return NULL;
     }
-    held->session = (OpenclSession){.linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
+    held->session = (OpenclSession){
+        .single = single, .linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
     if (pruned_scene_make(&held->pruned, scene, settings, &held->report, error) &&
         opencl_prepare(&held->session, &held->pruned.scene, settings, &held->on_device, &held->report, error) &&
         make_pixels(held, settings->linear, error) && make_kernel(held, error) &&
@@ -208,6 +210,11 @@ OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *asked, Error 
         return held;
     opencl_release(held);
     return NULL;
+}
+
+OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Error *error)
+{
+    return hold(scene, settings, false, error);
 }
 
 const RenderReport *opencl_held_report(const OpenclScene *held)
@@ -234,7 +241,7 @@ bool opencl_render(const Scene *scene, const RenderSettings *settings, BandSink 
                    Error *error)
 {
     memset(report, 0, sizeof *report);
-    OpenclScene *held = opencl_hold(scene, settings, error);
+    OpenclScene *held = hold(scene, settings, true, error);
     bool ok = held && opencl_picture(held, sink, report, error);
     opencl_release(held);
     return ok;

@@ -206,7 +206,6 @@ bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report,
         ok = build_program(session, sources, report->build_options, error);
     }
     free(sources);
-    report->accel = variant.accel;
     report->compile_ms = clock_ms() - start;
     return ok;
 }

@@ -22,6 +22,7 @@ typedef struct OpenclSession {
     Arithmetic arithmetic;
     bool adaptive; /* the kernel is `render_adaptive` */
     bool casts;    /* it is `cast`; else it is `render`. One is built: a compiler takes seconds for each */
+    bool single;   /* it renders one picture only, so that its tree may be a cheap one */
     bool linear;   /* pixels come back as three reals, not clamped, instead of three bytes */
     cl_device_id device;
     cl_context context;

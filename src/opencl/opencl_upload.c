@@ -63,7 +63,11 @@ static bool build_tree(const OpenclSession *session, Preparation *made, RenderRe
     const RenderSettings *settings = made->settings;
     DevicePlan plan = {made->closed, session->lanes > 4 ? session->lanes : 4, settings->threads};
     bool no_tree = settings->accel == ACCEL_AUTO && skip_wanted(settings, SKIP_TREE);
-    AccelKind kind = settings->accel == ACCEL_AUTO && !no_tree ? ACCEL_BVH : settings->accel;
+    AccelKind kind = settings->accel;
+    if (kind == ACCEL_AUTO && session->single && accel_sorting_pays(made->scene))
+        kind = ACCEL_LBVH;
+    else if (kind == ACCEL_AUTO && !no_tree)
+        kind = ACCEL_BVH;
     bool ok = accel_build(&made->accel, made->scene, kind, settings->threads, error) &&
               device_tree_pack(&made->tree, &made->accel, &plan, error);
     report->skipped[SKIP_TREE] = ok && no_tree && made->accel.kind == ACCEL_NONE;
@@ -118,6 +122,7 @@ bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSett
         build_tree(session, &made, report, error) &&
         opencl_build(session, (Variant){made.accel.kind, made.tree.node_width, made.tree.stack_size}, report, error) &&
         upload(session, &made, on_device, report, error);
+    report->accel = accel_name(&made.accel);
     accel_free(&made.accel);
     device_tree_free(&made.tree);
     free(made.closed);

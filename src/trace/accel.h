@@ -13,7 +13,8 @@
 enum { ACCEL_AUTO_FACES = 12 };
 
 typedef struct Accel {
-    AccelKind kind; /* what was built: ACCEL_AUTO only before */
+    AccelKind kind; /* what was built: ACCEL_AUTO only before, and ACCEL_BVH also for an ACCEL_LBVH */
+    bool sorted;    /* the BVH was made by sorting */
     Bvh bvh;
     KdTree kdtree;
 } Accel;
@@ -21,6 +22,12 @@ typedef struct Accel {
 /* Builds what `kind` asks for; ACCEL_AUTO is a BVH, and none for small scenes. A scene without faces gets none. */
 bool accel_build(Accel *accel, const Scene *scene, AccelKind kind, int threads, Error *error);
 void accel_free(Accel *accel);
+
+/* What a user calls the tree that there is: ACCEL_LBVH where it was made by sorting. */
+AccelKind accel_name(const Accel *accel);
+
+/* Are an ACCEL_LBVH and one picture of the scene made sooner than an ACCEL_BVH and the picture? */
+bool accel_sorting_pays(const Scene *scene);
 
 /* NULL, ACCEL_NONE and an Accel that was never built have none. */
 bool accel_has_tree(const Accel *accel);

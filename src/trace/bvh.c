@@ -4,15 +4,12 @@
 #include "trace/bvh.h"
 
 #include "base/parallel.h"
-#include "scene/geometry.h"
+#include "trace/bvh_boxes.h"
 
 #include <stdlib.h>
 
 /* A subtree of fewer faces, or less than such a part of all, is built by one thread. */
 enum { MIN_TASK = 4096, TASKS = 32 };
-
-/* Boxes of faces that a thread makes at a time. */
-enum { PIECE = 16384 };
 
 /* A subtree to be built: node `node` over the faces [first, first + count). */
 typedef struct Task {
@@ -25,21 +22,21 @@ enum { MAX_TASKS = 2 * TASKS * BVH_MAX_DEPTH };
 
 typedef struct Builder {
     Bvh *bvh;
-    const Scene *scene;
     Bounds *boxes;
-    BoundsRange *pieces; /* of the boxes */
     Task *tasks;
 } Builder;
 
-/* Faces of a leaf stand in the order of their numbers. */
-static void sort_faces(int *faces, int count)
+void bvh_make_leaf(Bvh *bvh, int node, int first, int count)
 {
+    int *faces = bvh->order + first;
     for (int i = 1; i < count; i++) {
         int face = faces[i], place = i;
         for (; place > 0 && faces[place - 1] > face; place--)
             faces[place] = faces[place - 1];
         faces[place] = face;
     }
+    bvh->nodes[node].first = first;
+    bvh->nodes[node].count = count;
 }
 
 /* Makes the subtree's root. True where it is an inner node: then these are the subtrees of its children. */
@@ -51,9 +48,7 @@ static bool make_node(const Builder *builder, const Task *task, Task children[2]
     int left = bvh_split(faces, task->depth, &task->range, sides);
     node->box = bounds_box(task->range.boxes);
     if (left == 0) {
-        sort_faces(faces.faces, task->count);
-        node->first = task->first;
-        node->count = task->count;
+        bvh_make_leaf(builder->bvh, task->node, task->first, task->count);
         return false;
     }
     node->count = 0;
@@ -77,32 +72,6 @@ static void build_task(void *data, int i, int thread)
     const Builder *builder = data;
     (void)thread;
     build_subtree(builder, &builder->tasks[i]);
-}
-
-/* --- The boxes of the faces --- */
-
-static void make_boxes(void *data, int piece, int thread)
-{
-    const Builder *builder = data;
-    const Scene *scene = builder->scene;
-    int first = piece * PIECE, end = scene->face_count - first < PIECE ? scene->face_count : first + PIECE;
-    (void)thread;
-    for (int i = first; i < end; i++) {
-        builder->boxes[i] = bounds_of(face_box(&scene->faces[i], &scene->planes[i]));
-        builder->bvh->order[i] = i;
-    }
-    builder->pieces[piece] = bounds_range_of(builder->boxes + first, end - first);
-}
-
-static BoundsRange make_all_boxes(Builder *builder, int pieces, int threads)
-{
-    parallel_for(threads, pieces, make_boxes, builder);
-    BoundsRange all = builder->pieces[0];
-    for (int i = 1; i < pieces; i++) {
-        bounds_grow(&all.boxes, &builder->pieces[i].boxes);
-        bounds_grow(&all.middles, &builder->pieces[i].middles);
-    }
-    return all;
 }
 
 /* --- The top of the tree --- */
@@ -139,7 +108,7 @@ static int sort_out(Level *level, int task_size, Task *tasks, int task_count)
 
 static void build_tree(Builder *builder, BoundsRange all, int threads)
 {
-    int faces = builder->scene->face_count, task_count = 0;
+    int faces = builder->bvh->face_count, task_count = 0;
     int task_size = faces / TASKS > MIN_TASK ? faces / TASKS : MIN_TASK;
     Task root = {0, 0, faces, 0, all};
     Level level = {.builder = builder, .count = faces > task_size};
@@ -153,22 +122,25 @@ static void build_tree(Builder *builder, BoundsRange all, int threads)
     parallel_for(threads, task_count, build_task, builder);
 }
 
+bool bvh_allocate(Bvh *bvh, int face_count)
+{
+    size_t count = (size_t)face_count;
+    *bvh = (Bvh){malloc(2 * count * sizeof *bvh->nodes), malloc(count * sizeof *bvh->order), face_count};
+    return bvh->nodes && bvh->order;
+}
+
 bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error)
 {
-    size_t count = (size_t)scene->face_count, pieces = (count + PIECE - 1) / PIECE;
-    *bvh = (Bvh){.face_count = scene->face_count};
-    bvh->nodes = malloc(2 * count * sizeof *bvh->nodes);
-    bvh->order = malloc(count * sizeof *bvh->order);
-    Builder builder = {.bvh = bvh,
-                       .scene = scene,
-                       .boxes = malloc(count * sizeof *builder.boxes),
-                       .pieces = malloc(pieces * sizeof *builder.pieces),
-                       .tasks = malloc(MAX_TASKS * sizeof *builder.tasks)};
-    bool ok = bvh->nodes && bvh->order && builder.boxes && builder.pieces && builder.tasks;
-    if (ok)
-        build_tree(&builder, make_all_boxes(&builder, (int)pieces, threads), threads);
-    free(builder.boxes);
-    free(builder.pieces);
+    BvhBoxes boxes = {0};
+    Builder builder = {.bvh = bvh, .tasks = malloc(MAX_TASKS * sizeof *builder.tasks)};
+    bool ok = bvh_allocate(bvh, scene->face_count) && builder.tasks && bvh_boxes_make(&boxes, scene, threads);
+    if (ok) {
+        builder.boxes = boxes.boxes;
+        for (int i = 0; i < scene->face_count; i++)
+            bvh->order[i] = i;
+        build_tree(&builder, boxes.all, threads);
+    }
+    bvh_boxes_free(&boxes);
     free(builder.tasks);
     if (!ok) {
         bvh_free(bvh);

@@ -27,4 +27,9 @@ typedef struct Bvh {
 bool bvh_build(Bvh *bvh, const Scene *scene, int threads, Error *error);
 void bvh_free(Bvh *bvh);
 
+/* For builders: room for a tree, false without memory; free it also then. And a leaf of the faces that stand in the
+ * order from `first` on, which it sorts by their numbers. */
+bool bvh_allocate(Bvh *bvh, int face_count);
+void bvh_make_leaf(Bvh *bvh, int node, int first, int count);
+
 #endif

@@ -156,7 +156,7 @@ static bool check_textbook(const Scene *scene, AccelKind accel, Error *error)
 {
     if (scene->adaptive && scene->grid > 1)
         return error_set(error, ERROR_USAGE, "textbook arithmetic has no adaptive sampling; use --sampling uniform:N");
-    if (accel == ACCEL_KDTREE || accel == ACCEL_BVH)
+    if (accel == ACCEL_KDTREE || accel == ACCEL_BVH || accel == ACCEL_LBVH)
         return error_set(error, ERROR_USAGE,
                          "the reference's textbook arithmetic has no tree; leave out --accel, or use --kernel plain");
     return true;
@@ -177,7 +177,7 @@ bool reference_render(const Scene *scene, const RenderSettings *settings, BandSi
     double start = clock_ms();
     bool ok = accel_build(&accel, scene, textbook ? ACCEL_NONE : settings->accel, settings->threads, error);
     report->build_ms = clock_ms() - start;
-    report->accel = accel.kind;
+    report->accel = accel_name(&accel);
     if (ok)
         foresee(scene, &accel, settings, report->threads);
     ok = ok && render_bands(scene, &accel, settings, sink, report, error);

@@ -12,7 +12,9 @@
 
 typedef enum Backend { BACKEND_OPENCL, BACKEND_REFERENCE } Backend;
 typedef enum Precision { PRECISION_FLOAT, PRECISION_DOUBLE } Precision;
-typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH } AccelKind;
+
+/* How a tracer finds faces. ACCEL_LBVH asks for a bounding volume hierarchy made by sorting: bvh_morton.h. */
+typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH, ACCEL_LBVH } AccelKind;
 
 /* The OpenCL kernel: the fast one, packets of rays, or the plain one, a ray per work-item, written to be read. */
 typedef enum KernelKind { KERNEL_PACKET, KERNEL_PLAIN } KernelKind;
