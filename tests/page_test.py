@@ -475,13 +475,20 @@ class InBrowser(unittest.TestCase):
         self.wait(SETTLED)
         return self.value("(() => { view.draw(); return view.canvas.toDataURL(); })()")
 
-    def test_view_in_space_turns_by_dragging(self):
-        self.open("#scene=scenes/cornell.json&size=100x100&grid=1&pixel=50,50")
-        colours = self.value("""(() => { view.draw(); const c = document.createElement('canvas');
+    def colours_in_space(self):
+        return self.value("""(() => { view.draw(); const c = document.createElement('canvas');
             Object.assign(c, {width: view.canvas.width, height: view.canvas.height});
             const g = c.getContext('2d'); g.drawImage(view.canvas, 0, 0);
             return new Set(new Uint32Array(g.getImageData(0, 0, c.width, c.height).data.buffer)).size; })()""")
-        self.assertGreater(colours, 100)
+
+    def test_view_in_space_is_as_large_as_the_scene(self):
+        # One in millionths, behind a screen at 1; one in hundreds.
+        for scene in ("lessons/leak", "cornell"):
+            self.open(f"#scene=scenes/{scene}.json&size=40x40&grid=1&pixel=20,20")
+            self.assertGreater(self.colours_in_space(), 100, scene)
+
+    def test_view_in_space_turns_by_dragging(self):
+        self.open("#scene=scenes/cornell.json&size=100x100&grid=1&pixel=50,50")
         before, turn = self.drawn(), self.value("view.turn")
         self.browser.drag(*self.middle_of("space"), 100, 30)
         self.assertAlmostEqual(self.value("view.turn"), turn - 0.8, 6)
@@ -685,11 +692,13 @@ class InBrowser(unittest.TestCase):
     # --- Forms ---
 
     def test_narrow_windows_show_picture_answer_and_steps_below_each_other(self):
-        self.browser.resize(390, 844)
-        self.open(GALLERY + "&pixel=225,95")
-        tops = self.value("['picture', 'answer', 'steps'].map(id => $(id).getBoundingClientRect().top)")
-        self.assertEqual(tops, sorted(tops))
-        self.assertLessEqual(self.value("document.documentElement.scrollWidth"), 390)
+        # A phone, and a laptop at 200 %.
+        for width, height in ((390, 844), (683, 384)):
+            self.browser.resize(width, height)
+            self.open(GALLERY + "&pixel=225,95&arithmetic=float")
+            tops = self.value("['picture', 'answer', 'steps'].map(id => $(id).getBoundingClientRect().top)")
+            self.assertEqual(tops, sorted(tops))
+            self.assertLessEqual(self.value("document.documentElement.scrollWidth"), width)
 
     def test_no_text_is_smaller_than_12_pixels(self):
         for width, height in ((1366, 768), (390, 844)):

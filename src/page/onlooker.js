@@ -19,9 +19,11 @@ class Onlooker {
         }
         this.centre = vec.scale(0.5, vec.add(low, high));
         const clamped = p => p.map((x, axis) => Math.max(low[axis], Math.min(high[axis], x)));
-        this.extent = [this.camera, ...this.corners];
-        for (let k = 0; k < seen.length; k += 3) this.extent.push(clamped([...seen.subarray(k, k + 3)]));
         this.size = Math.max(...vec.sub(high, low), 1e-9);
+        // A screen larger than all that is seen through it would make that small.
+        const isNear = corner => vec.length(vec.sub(corner, this.camera)) < 0.8 * this.size;
+        this.extent = [this.camera, ...this.corners.filter(isNear)];
+        for (let k = 0; k < seen.length; k += 3) this.extent.push(clamped([...seen.subarray(k, k + 3)]));
     }
 
     // From where all that counts is seen, as near as can be. What is near takes more room than what is far, so the

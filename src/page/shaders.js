@@ -54,7 +54,7 @@ void main() {
 const LINES_VERTEX = `#version 300 es
 uniform mat4 matrix;
 uniform vec2 size;
-uniform float ratio;
+uniform float ratio, near;
 in vec3 from, to, colour;
 in float dash, width;
 in vec2 corner;
@@ -62,7 +62,6 @@ out vec3 paint;
 out float along, gap;
 void main() {
   vec4 a = matrix * vec4(from, 1), b = matrix * vec4(to, 1);
-  const float near = 1e-3;
   if (a.w < near) a = mix(b, a, (b.w - near) / (b.w - a.w));
   else if (b.w < near) b = mix(a, b, (a.w - near) / (a.w - b.w));
   vec2 pa = a.xy / a.w * size, pb = b.xy / b.w * size, d = pb - pa;
@@ -97,7 +96,7 @@ precision highp float;
 uniform sampler2D picture;
 in vec2 place;
 out vec4 colour;
-void main() { colour = vec4(texture(picture, place).rgb, 0.9); }`;
+void main() { colour = vec4(texture(picture, place).rgb, 0.65); }`;
 
 function compileProgram(gl, vertex, fragment) {
     const program = gl.createProgram();

@@ -7,7 +7,7 @@ const FACE_NUMBERS = 21; // of page.h, as are the places' and the lines' forms
 class View3D extends Onlooker {
     constructor(canvas, drawn) {
         super();
-        const gl = canvas.getContext('webgl2', {antialias: true, preserveDrawingBuffer: true});
+        const gl = canvas.getContext('webgl2', {antialias: true, alpha: false, preserveDrawingBuffer: true});
         if (!gl) throw new Error('This browser has no WebGL2: two plans of the program stand in.');
         this.gl = gl;
         this.canvas = canvas;
@@ -165,7 +165,7 @@ class View3D extends Onlooker {
         gl.disable(gl.BLEND);
         this.faces.use({matrix, onlooker: eye});
         gl.drawArrays(gl.TRIANGLES, 0, this.faces.count);
-        this.lines.use({matrix, size: [width, height], ratio});
+        this.lines.use({matrix, size: [width, height], ratio, near});
         gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.lines.count);
         gl.enable(gl.BLEND);
         gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
