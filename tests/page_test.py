@@ -438,6 +438,15 @@ class InBrowser(unittest.TestCase):
             self.value("location.hash"), "#scene=scenes/original.json&size=80x60&grid=1&pixel=40,36&step=3"
         )
 
+    def test_a_link_leads_to_a_scene_of_any_name(self):
+        self.open("#scene=scenes/original.json&size=40x30&grid=1")
+        name = "my/a + b & #c 100%.json"
+        self.value(f"page.files.set({json.dumps(name)}, fileOf('scenes/original.json')), openScene({json.dumps(name)})")
+        self.wait("location.hash.includes('text=')")
+        link = self.value("location.hash")
+        self.open(link)
+        self.assertEqual(self.value("page.path"), name)
+
     def test_sections_of_the_algorithm_open(self):
         self.open(GALLERY + "&pixel=225,95&step=2")
         self.value("document.querySelector('.step.now .link').click()")
@@ -496,6 +505,30 @@ class InBrowser(unittest.TestCase):
         distance = self.value("view.distance")
         self.browser.mouse("mouseWheel", *self.middle_of("space"), deltaX=0, deltaY=-200)
         self.wait(f"view.distance < {distance}")
+
+    def test_view_in_space_turns_by_keyboard(self):
+        self.open("#scene=scenes/cornell.json&size=40x40&grid=1&pixel=20,20")
+        self.value("$('space').focus()")
+        turn, tilt, distance = self.value("[view.turn, view.tilt, view.distance]")
+        for key in ("ArrowRight", "ArrowUp", "+"):
+            self.browser.key(key)
+        self.assertAlmostEqual(self.value("view.turn"), turn - 0.1, 6)
+        self.assertAlmostEqual(self.value("view.tilt"), tilt + 0.1, 6)
+        self.assertAlmostEqual(self.value("view.distance"), 0.85 * distance, 6)
+        self.assertEqual(self.value("String(page.pixel)"), "20,20")
+
+    def test_all_is_reached_by_the_tab_key(self):
+        self.open("#scene=scenes/cornell.json&size=40x40&grid=1&pixel=20,20")
+        wanted = set(self.value(
+            """[...document.querySelectorAll('button, select, input, summary, canvas[tabindex]')]
+            .filter(e => e.checkVisibility()).map(e => e.id || e.textContent.slice(0, 20))"""
+        ))
+        reached = set()
+        self.value("document.activeElement.blur()")
+        for _ in range(len(wanted) + 12):
+            self.browser.key("Tab")
+            reached.add(self.value("(e => e.id || e.textContent.slice(0, 20))(document.activeElement)"))
+        self.assertEqual(wanted - reached, set())
 
     def test_two_fingers_come_nearer(self):
         self.open("#scene=scenes/cornell.json&size=100x100&grid=1&pixel=50,50")

@@ -21,7 +21,7 @@ function readLink() {
 
 function writeLink() {
     const parts = [
-        `scene=${encodeURI(page.path)}`,
+        `scene=${encodeURIComponent(page.path).replace(/%2F/g, '/')}`,
         `size=${page.columns}x${page.rows}`,
         `grid=${page.grid || 'scene'}`,
     ];
