@@ -6,6 +6,7 @@
 #include "command/command.h"
 #include "command/progress.h"
 #include "command/render_maps.h"
+#include "command/render_watch.h"
 #include "command/scene_open.h"
 #include "command/scene_override.h"
 #include "command/stats.h"
@@ -245,10 +246,8 @@ static bool print_stage(const char *path, Error *error)
     return text != NULL;
 }
 
-bool command_render(const Options *options, Error *error)
+static bool render_once(const Options *options, Error *error)
 {
-    if (options->stage)
-        return print_stage(options->operands[0], error);
     double start = clock_ms();
     Scene scene;
     if (!options_agree(options, error))
@@ -266,4 +265,11 @@ bool command_render(const Options *options, Error *error)
                 render_scene(options, &scene, &stats, start, error) && render_maps_draw(options, &scene, error);
     scene_free(&scene);
     return done;
+}
+
+bool command_render(const Options *options, Error *error)
+{
+    if (options->stage)
+        return print_stage(options->operands[0], error);
+    return options->watch ? render_watch(options, render_once, error) : render_once(options, error);
 }

@@ -78,8 +78,8 @@ typedef struct Options {
     ProgressMode progress;
     HelpFormat help_format;
     bool precision_given, pixel_given, shift_given;
-    bool quiet, stage, geometry, verbose, with_scene, summary, diff, darkest, no_pager, ladder, json, check, open,
-        strict, help, version;
+    bool quiet, stage, watch, geometry, verbose, with_scene, summary, diff, darkest, no_pager, ladder, json, check,
+        open, strict, help, version;
 } Options;
 
 /* How an option's value is read. */

@@ -252,6 +252,7 @@ const Option option_table[] = {
     {"map-scale", 0, "LOW:HIGH", "render", "the numbers that the map shows black and white, for maps side by side",
      OWN(set_map_scale), .expects = "two numbers above 0, the lower one first, such as 1:2000"},
     {"stage", 0, NULL, "render", "of a model: print the scene that is made for it, and render nothing", FLAG(stage)},
+    {"watch", 0, NULL, "render", "render again whenever the scene, a model or a kernel file changes", FLAG(watch)},
     {"bounces", 0, "N", "render trace", "at most N reflected rays in a row, instead of the scene's",
      NUMBER(bounces, 0, SCENE_MAX_BOUNCES)},
     {"camera", 0, "X,Y,Z", "render trace cast check tree", "where the camera is, instead of the scene's",

@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MAX_OPTIONS = 32, LONG_BASE = 256 }; /* getopt_long returns LONG_BASE + place in the table */
+enum { MAX_OPTIONS = 64, LONG_BASE = 256 }; /* getopt_long returns LONG_BASE + place in the table */
 
 /* The names of the commands, or of one command's options, as suggest_word takes them. */
 typedef struct WordList {
