@@ -13,7 +13,8 @@ SQUARE = "v 1000 0 0\nv 1001 0 0\nv 1001 1 0\nv 1000 1 0\nf 1 2 3 4\n"
 
 class WatchTest(CommandTest):
     def watch(self, *words, **options):
-        self.process = self.start("render", "scene.json", "-b", "reference", "-o", "a.png", "--watch", *words, **options)
+        self.process = self.start("render", "scene.json", "-b", "reference", "-o", "a.png", "--watch", *words,
+                                  **options)
         self.lines = queue.Queue()
         def read():
             for line in self.process.stderr:
