@@ -1,4 +1,4 @@
-/* Polygons cut into convex parts: closed forms, then random polygons against their exact coverage. RECTRAY_SOAK=1 tries
+/* Polygons cut into convex pieces: closed forms, then random polygons against their exact coverage. RECTRAY_SOAK=1 tries
  * 10000 of them. */
 #include "scene/polygon_cut.h"
 
@@ -34,20 +34,20 @@ static void cut_flat(const double *xy, int count)
     TEST_ASSERT_TRUE(polygon_cut(&cut, points, count, false, &error));
 }
 
-static void assert_part(int part, int count, const int *corners)
+static void assert_piece(int piece, int count, const int *corners)
 {
-    TEST_ASSERT_TRUE(part < cut.ring.part_count);
-    TEST_ASSERT_EQUAL(count, cut.ring.parts[part].count);
-    TEST_ASSERT_EQUAL_INT_ARRAY(corners, cut.ring.parts[part].corners, count);
+    TEST_ASSERT_TRUE(piece < cut.ring.piece_count);
+    TEST_ASSERT_EQUAL(count, cut.ring.pieces[piece].count);
+    TEST_ASSERT_EQUAL_INT_ARRAY(corners, cut.ring.pieces[piece].corners, count);
 }
 
-static void assert_good(int parts)
+static void assert_good(int pieces)
 {
     TEST_ASSERT_EQUAL(POLYGON_GOOD, cut.verdict);
-    TEST_ASSERT_EQUAL(parts, cut.ring.part_count);
+    TEST_ASSERT_EQUAL(pieces, cut.ring.piece_count);
 }
 
-static void convex_polygons_should_make_half_as_many_parts(void)
+static void convex_polygons_should_make_half_as_many_pieces(void)
 {
     double circle[32];
     for (int count = 3; count <= 16; count++) {
@@ -64,22 +64,22 @@ static void good_faces_should_stay_whole(void)
 {
     cut_flat((const double[]){0, 0, 1, 0, 1, 1, 0, 1}, 4);
     assert_good(1);
-    assert_part(0, 4, (const int[]){0, 1, 2, 3});
+    assert_piece(0, 4, (const int[]){0, 1, 2, 3});
     cut_flat((const double[]){0, 0, 1, 0, 1, 1}, 3);
     assert_good(1);
-    assert_part(0, 3, (const int[]){0, 1, 2});
+    assert_piece(0, 3, (const int[]){0, 1, 2});
 }
 
 static void an_inward_corner_should_be_an_end_of_the_cut(void)
 {
     cut_flat((const double[]){-1, 0, 0, 0.9, 1, 0, 0, 2}, 4); /* inward at vertex 1 */
     assert_good(2);
-    assert_part(0, 3, (const int[]){0, 1, 3});
-    assert_part(1, 3, (const int[]){1, 2, 3});
+    assert_piece(0, 3, (const int[]){0, 1, 3});
+    assert_piece(1, 3, (const int[]){1, 2, 3});
     cut_flat((const double[]){0, 2, -1, 0, 0, 0.9, 1, 0}, 4); /* at vertex 2 */
     assert_good(2);
-    assert_part(0, 3, (const int[]){0, 1, 2});
-    assert_part(1, 3, (const int[]){0, 2, 3});
+    assert_piece(0, 3, (const int[]){0, 1, 2});
+    assert_piece(1, 3, (const int[]){0, 2, 3});
 }
 
 static void a_bent_quad_should_be_cut_from_0_to_2_where_that_is_inside(void)
@@ -89,8 +89,8 @@ static void a_bent_quad_should_be_cut_from_0_to_2_where_that_is_inside(void)
     TEST_ASSERT_EQUAL(POLYGON_NOT_PLANAR, cut.verdict);
     TEST_ASSERT_TRUE(polygon_cut(&cut, points, 4, true, &error));
     assert_good(2);
-    assert_part(0, 3, (const int[]){0, 1, 2});
-    assert_part(1, 3, (const int[]){0, 2, 3});
+    assert_piece(0, 3, (const int[]){0, 1, 2});
+    assert_piece(1, 3, (const int[]){0, 2, 3});
 }
 
 static void letters_should_be_cut_into_few_quads(void)
@@ -99,18 +99,18 @@ static void letters_should_be_cut_into_few_quads(void)
     assert_good(2);
     cut_flat((const double[]){0, 0, 3, 0, 3, 1, 2, 1, 2, 3, 1, 3, 1, 1, 0, 1}, 8); /* T */
     TEST_ASSERT_EQUAL(POLYGON_GOOD, cut.verdict);
-    TEST_ASSERT_TRUE(cut.ring.part_count <= 4);
+    TEST_ASSERT_TRUE(cut.ring.piece_count <= 4);
     cut_flat((const double[]){0, 0, 3, 0, 3, 1, 1, 1, 1, 2, 3, 2, 3, 3, 0, 3}, 8); /* U */
     TEST_ASSERT_EQUAL(POLYGON_GOOD, cut.verdict);
-    TEST_ASSERT_TRUE(cut.ring.part_count <= 4);
+    TEST_ASSERT_TRUE(cut.ring.piece_count <= 4);
 }
 
-static double area_of_parts(const double *xy)
+static double area_of_pieces(const double *xy)
 {
     double sum = 0;
-    for (int i = 0; i < cut.ring.part_count; i++)
-        for (int k = 0; k < cut.ring.parts[i].count; k++) {
-            int a = cut.ring.parts[i].corners[k], b = cut.ring.parts[i].corners[(k + 1) % cut.ring.parts[i].count];
+    for (int i = 0; i < cut.ring.piece_count; i++)
+        for (int k = 0; k < cut.ring.pieces[i].count; k++) {
+            int a = cut.ring.pieces[i].corners[k], b = cut.ring.pieces[i].corners[(k + 1) % cut.ring.pieces[i].count];
             sum += (xy[2 * a] * xy[2 * b + 1] - xy[2 * b] * xy[2 * a + 1]) / 2;
         }
     return sum;
@@ -121,7 +121,7 @@ static void a_hole_should_be_cut_out_along_its_bridge(void)
     static const double frame[] = {0, 0, 4, 0, 4, 4, 0, 4, 0, 0, 1, 1, 1, 3, 3, 3, 3, 1, 1, 1};
     cut_flat(frame, 10);
     TEST_ASSERT_EQUAL(POLYGON_GOOD, cut.verdict);
-    TEST_ASSERT_TRUE(area_of_parts(frame) == 12);
+    TEST_ASSERT_TRUE(area_of_pieces(frame) == 12);
     TEST_ASSERT_EQUAL(-1, cut.ring.fold);
 }
 
@@ -159,7 +159,7 @@ static void folds_should_be_left_out_and_told(void)
     static const double spike[] = {0, 0, 2, 0, 2, 2, 2, 5, 2, 2, 0, 2};
     cut_flat(spike, 6);
     TEST_ASSERT_EQUAL(POLYGON_GOOD, cut.verdict);
-    TEST_ASSERT_TRUE(area_of_parts(spike) == 4);
+    TEST_ASSERT_TRUE(area_of_pieces(spike) == 4);
     TEST_ASSERT_EQUAL(3, cut.ring.fold);
     cut_flat((const double[]){0, 0, 2, 0, 1, 0, 1, 1}, 4);
     assert_good(1);
@@ -216,28 +216,28 @@ static void set_line(Line *line, const GridPolygon *p, int a, int b, const Windo
 }
 
 /* Changes the pieces to what of them is left of all edges, or to the rest. */
-static void divide(Pieces *pieces, const GridPolygon *p, const PolygonPart *part, const Window *window, bool keep)
+static void divide(Pieces *pieces, const GridPolygon *p, const PolygonPiece *piece, const Window *window, bool keep)
 {
     Line lines[4];
     const Line *edges[4];
-    for (int i = 0; i < part->count; i++) {
+    for (int i = 0; i < piece->count; i++) {
         line_init(&lines[i]);
-        set_line(&lines[i], p, part->corners[i], part->corners[(i + 1) % part->count], window);
+        set_line(&lines[i], p, piece->corners[i], piece->corners[(i + 1) % piece->count], window);
         edges[i] = &lines[i];
     }
     if (keep)
-        pieces_keep(pieces, edges, part->count);
+        pieces_keep(pieces, edges, piece->count);
     else
-        pieces_subtract(pieces, edges, part->count);
-    for (int i = 0; i < part->count; i++)
+        pieces_subtract(pieces, edges, piece->count);
+    for (int i = 0; i < piece->count; i++)
         line_clear(&lines[i]);
 }
 
-/* The share of the window that the part covers. */
-static double covered_by(const GridPolygon *p, PolygonPart part, const Window *window)
+/* The share of the window that the piece covers. */
+static double covered_by(const GridPolygon *p, PolygonPiece piece, const Window *window)
 {
     Pieces pieces = pieces_pixel();
-    divide(&pieces, p, &part, window, true);
+    divide(&pieces, p, &piece, window, true);
     double area = pieces_area(&pieces);
     pieces_free(&pieces);
     return area;
@@ -255,54 +255,54 @@ static double winding_in(const GridPolygon *p, const Window *window)
     for (int i = 2; i < p->count; i++) {
         int64_t area = area2_of(p, 0, i - 1, i);
         if (area > 0)
-            sum += covered_by(p, (PolygonPart){{0, i - 1, i}, 3}, window);
+            sum += covered_by(p, (PolygonPiece){{0, i - 1, i}, 3}, window);
         else if (area < 0)
-            sum -= covered_by(p, (PolygonPart){{0, i, i - 1}, 3}, window);
+            sum -= covered_by(p, (PolygonPiece){{0, i, i - 1}, 3}, window);
     }
     return sum;
 }
 
-static double parts_in(const GridPolygon *p, const Window *window)
+static double pieces_in(const GridPolygon *p, const Window *window)
 {
     double sum = 0;
-    for (int i = 0; i < cut.ring.part_count; i++)
-        sum += covered_by(p, cut.ring.parts[i], window);
+    for (int i = 0; i < cut.ring.piece_count; i++)
+        sum += covered_by(p, cut.ring.pieces[i], window);
     return sum;
 }
 
-/* The share of the window that no part covers. */
+/* The share of the window that no piece covers. */
 static double free_in(const GridPolygon *p, const Window *window)
 {
     Pieces pieces = pieces_pixel();
-    for (int i = 0; i < cut.ring.part_count; i++)
-        divide(&pieces, p, &cut.ring.parts[i], window, false);
+    for (int i = 0; i < cut.ring.piece_count; i++)
+        divide(&pieces, p, &cut.ring.pieces[i], window, false);
     double area = pieces_area(&pieces);
     pieces_free(&pieces);
     return area;
 }
 
-static int64_t area2_of_part(const GridPolygon *p, const PolygonPart *part)
+static int64_t area2_of_piece(const GridPolygon *p, const PolygonPiece *piece)
 {
-    const int *c = part->corners;
-    return area2_of(p, c[0], c[1], c[2]) + (part->count == 4 ? area2_of(p, c[0], c[2], c[3]) : 0);
+    const int *c = piece->corners;
+    return area2_of(p, c[0], c[1], c[2]) + (piece->count == 4 ? area2_of(p, c[0], c[2], c[3]) : 0);
 }
 
-/* All parts turn as the polygon does, have its area together, and cover in each window what it covers, once. */
+/* All pieces turn as the polygon does, have its area together, and cover in each window what it covers, once. */
 static void assert_covers(const GridPolygon *p, uint64_t *random)
 {
     static const int64_t shares[] = {1, 7, 31};
     int64_t area = 0;
-    for (int i = 0; i < cut.ring.part_count; i++) {
-        int64_t part = area2_of_part(p, &cut.ring.parts[i]);
-        TEST_ASSERT_TRUE(part > 0);
-        area += part;
+    for (int i = 0; i < cut.ring.piece_count; i++) {
+        int64_t piece = area2_of_piece(p, &cut.ring.pieces[i]);
+        TEST_ASSERT_TRUE(piece > 0);
+        area += piece;
     }
     TEST_ASSERT_TRUE(area == grid_polygon_area2(p));
     for (int i = 0; i < 3; i++) {
         int64_t size = GRID_POLYGON_SIZE / shares[i];
         uint64_t room = (uint64_t)(GRID_POLYGON_SIZE - size + 1);
         Window window = {(int64_t)(random_next(random) % room), (int64_t)(random_next(random) % room), size};
-        TEST_ASSERT_DOUBLE_WITHIN(1e-13, winding_in(p, &window), parts_in(p, &window));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-13, winding_in(p, &window), pieces_in(p, &window));
         if (p->count < 16)
             TEST_ASSERT_DOUBLE_WITHIN(1e-13, 1 - winding_in(p, &window), free_in(p, &window));
     }
@@ -335,7 +335,7 @@ static void assert_verdict(const GridPolygon *p)
         TEST_ASSERT_TRUE(grid_edges_cross(p, cut.first, cut.second));
     } else if (!grid_polygon_touches(p)) {
         TEST_ASSERT_EQUAL(POLYGON_GOOD, cut.verdict);
-        TEST_ASSERT_TRUE(cut.ring.part_count <= p->count - 2);
+        TEST_ASSERT_TRUE(cut.ring.piece_count <= p->count - 2);
     }
 }
 
@@ -360,7 +360,7 @@ static void random_polygons_should_be_covered_exactly(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(convex_polygons_should_make_half_as_many_parts);
+    RUN_TEST(convex_polygons_should_make_half_as_many_pieces);
     RUN_TEST(good_faces_should_stay_whole);
     RUN_TEST(an_inward_corner_should_be_an_end_of_the_cut);
     RUN_TEST(a_bent_quad_should_be_cut_from_0_to_2_where_that_is_inside);

@@ -34,9 +34,9 @@ static bool reserve(PolygonCut *cut, int count, Error *error)
         return true;
     PolygonVertex *vertices = realloc(ring->vertices, (size_t)count * sizeof *vertices);
     ring->vertices = vertices ? vertices : ring->vertices;
-    PolygonPart *parts = realloc(ring->parts, (size_t)count * sizeof *parts);
-    ring->parts = parts ? parts : ring->parts;
-    if (!vertices || !parts)
+    PolygonPiece *pieces = realloc(ring->pieces, (size_t)count * sizeof *pieces);
+    ring->pieces = pieces ? pieces : ring->pieces;
+    if (!vertices || !pieces)
         return error_memory(error, "a polygon");
     cut->capacity = count;
     return true;
@@ -156,7 +156,7 @@ static bool is_convex(const PolygonRing *ring)
 
 static bool add_triangle(PolygonRing *ring, int a, int b, int c)
 {
-    ring->parts[ring->part_count++] = (PolygonPart){.corners = {a, b, c}, .count = 3};
+    ring->pieces[ring->piece_count++] = (PolygonPiece){.corners = {a, b, c}, .count = 3};
     return polygon_ring_turn(ring, a, b, c) > 0;
 }
 
@@ -168,31 +168,31 @@ static bool cut_strips(PolygonRing *ring)
     for (; good && high - low > 2; low++, high--) {
         const int quad[4] = {low, low + 1, high - 1, high};
         if (polygon_ring_is_quad(ring, quad))
-            ring->parts[ring->part_count++] =
-                (PolygonPart){.corners = {quad[0], quad[1], quad[2], quad[3]}, .count = 4};
+            ring->pieces[ring->piece_count++] =
+                (PolygonPiece){.corners = {quad[0], quad[1], quad[2], quad[3]}, .count = 4};
         else
             good = add_triangle(ring, quad[0], quad[1], quad[2]) && add_triangle(ring, quad[0], quad[2], quad[3]);
     }
     if (good && high - low == 2)
         good = add_triangle(ring, low, low + 1, high);
     if (!good)
-        ring->part_count = 0;
+        ring->piece_count = 0;
     return good;
 }
 
 /* --- All together --- */
 
-/* Turns the corners of each part until the first is the one that comes first in the polygon. */
+/* Turns the corners of each piece until the first is the one that comes first in the polygon. */
 static void put_first_corners_first(PolygonRing *ring)
 {
-    for (int i = 0; i < ring->part_count; i++) {
-        const PolygonPart part = ring->parts[i];
+    for (int i = 0; i < ring->piece_count; i++) {
+        const PolygonPiece piece = ring->pieces[i];
         int first = 0;
-        for (int k = 1; k < part.count; k++)
-            if (part.corners[k] < part.corners[first])
+        for (int k = 1; k < piece.count; k++)
+            if (piece.corners[k] < piece.corners[first])
                 first = k;
-        for (int k = 0; k < part.count; k++)
-            ring->parts[i].corners[k] = part.corners[(first + k) % part.count];
+        for (int k = 0; k < piece.count; k++)
+            ring->pieces[i].corners[k] = piece.corners[(first + k) % piece.count];
     }
 }
 
@@ -200,7 +200,7 @@ static bool cut_as_it_is(PolygonRing *ring, const Vec3 *vertices, int count)
 {
     if (count > 4 || shape_of(vertices, count).verdict != SHAPE_GOOD)
         return false;
-    ring->parts[ring->part_count++] = (PolygonPart){.corners = {0, 1, 2, 3}, .count = count};
+    ring->pieces[ring->piece_count++] = (PolygonPiece){.corners = {0, 1, 2, 3}, .count = count};
     return true;
 }
 
@@ -230,9 +230,9 @@ static PolygonVerdict verdict_on(PolygonCut *cut, int exponent, bool bent)
         return crossed(cut, first, second);
     if (ring->count > 4 && is_convex(ring) && cut_strips(ring))
         return POLYGON_GOOD;
-    if (!polygon_ears_cut(ring) || (ring->touches && polygon_ring_parts_overlap(ring)))
+    if (!polygon_ears_cut(ring) || (ring->touches && polygon_ring_pieces_overlap(ring)))
         return crossed(cut, ring->touch[0], ring->touch[1]);
-    return no_area || ring->part_count == 0 ? POLYGON_NO_AREA : POLYGON_GOOD;
+    return no_area || ring->piece_count == 0 ? POLYGON_NO_AREA : POLYGON_GOOD;
 }
 
 bool polygon_cut(PolygonCut *cut, const Vec3 *vertices, int count, bool bent, Error *error)
@@ -240,12 +240,13 @@ bool polygon_cut(PolygonCut *cut, const Vec3 *vertices, int count, bool bent, Er
     PolygonRing *ring = &cut->ring;
     if (!reserve(cut, count, error))
         return false;
-    *ring = (PolygonRing){.count = count, .left = count, .fold = -1, .vertices = ring->vertices, .parts = ring->parts};
+    *ring =
+        (PolygonRing){.count = count, .left = count, .fold = -1, .vertices = ring->vertices, .pieces = ring->pieces};
     cut->verdict = POLYGON_GOOD;
     if (!cut_as_it_is(ring, vertices, count))
         cut->verdict = verdict_on(cut, begin_ring(ring, vertices, count), bent);
     if (cut->verdict)
-        ring->part_count = 0;
+        ring->piece_count = 0;
     put_first_corners_first(ring);
     return true;
 }
@@ -253,6 +254,6 @@ bool polygon_cut(PolygonCut *cut, const Vec3 *vertices, int count, bool bent, Er
 void polygon_cut_free(PolygonCut *cut)
 {
     free(cut->ring.vertices);
-    free(cut->ring.parts);
+    free(cut->ring.pieces);
     *cut = (PolygonCut){0};
 }

@@ -1,8 +1,8 @@
 /* A face of any number of vertices, as convex quads and triangles that cover the same points and no others. Every
  * yes-or-no (which way a corner turns, what crosses what, which vertex is inside a triangle) is an exact sign for the
- * vertices that it is given, seen along the polygon's normal: so the parts are right however thin the polygon is.
+ * vertices that it is given, seen along the polygon's normal: so the pieces are right however thin the polygon is.
  *
- * Why the parts are right: whatever vertex is cut off first, the triangles add up to the polygon, each counted
+ * Why the pieces are right: whatever vertex is cut off first, the triangles add up to the polygon, each counted
  * with the sense in which it turns (the edges between them cancel). Where all of them turn as the polygon does, each
  * point is in as many triangles as the boundary goes round it: once, when the boundary does not cross itself. */
 #ifndef RECTRAY_POLYGON_CUT_H
@@ -23,11 +23,11 @@ typedef struct PolygonCut {
     PolygonVerdict verdict;
     int first, second;
     double distance, size;
-    PolygonRing ring; /* its parts are the answer; none unless the verdict is good */
+    PolygonRing ring; /* its pieces are the answer; none unless the verdict is good */
     int capacity;     /* vertices for which there is memory */
 } PolygonCut;
 
-/* Cuts a polygon of at least 3 vertices, all finite. A face of 3 or 4 that shape.h calls good is one part. Planar
+/* Cuts a polygon of at least 3 vertices, all finite. A face of 3 or 4 that shape.h calls good is one piece. Planar
  * means: no vertex is farther than 1e-5 of the polygon's size from the plane through vertex 0 whose normal is the sum
  * of the cross products around it (Newell's; of a quad the cross product of its diagonals). The size is the diagonal of
  * the box around its vertices, of a quad the longer diagonal. A `bent` polygon need not be planar. A quad is cut from

@@ -113,7 +113,7 @@ static int unfold(PolygonRing *ring, int start)
     for (int seen = 0, vertex = start; ring->left > 2 && seen < 2;) {
         const PolygonVertex *v = &ring->vertices[vertex];
         if (polygon_ring_folds(ring, v->previous, vertex, v->next)) {
-            if (ring->part_count == 0 && ring->fold < 0)
+            if (ring->piece_count == 0 && ring->fold < 0)
                 ring->fold = vertex;
             start = vertex = take_out(ring, vertex, -1);
             seen = 0;
@@ -126,21 +126,21 @@ static int unfold(PolygonRing *ring, int start)
 }
 
 /* Joins the triangle to the one beyond its edge `edge`, if the two are a convex quad. Every triangle is offered to the
- * later one beside it only, and the triangles of a polygon are a tree: so no other choice makes fewer parts of them. */
+ * later one beside it only, and the triangles of a polygon are a tree: so no other choice makes fewer pieces of them. */
 static bool join(PolygonRing *ring, const int *triangle, int edge)
 {
     int beyond = ring->vertices[triangle[edge]].beyond;
-    if (beyond < 0 || ring->parts[beyond].count != 3)
+    if (beyond < 0 || ring->pieces[beyond].count != 3)
         return false;
-    PolygonPart *part = &ring->parts[beyond];
-    const int quad[4] = {triangle[edge], part->corners[1], triangle[(edge + 1) % 3], triangle[(edge + 2) % 3]};
+    PolygonPiece *piece = &ring->pieces[beyond];
+    const int quad[4] = {triangle[edge], piece->corners[1], triangle[(edge + 1) % 3], triangle[(edge + 2) % 3]};
     if (!polygon_ring_is_quad(ring, quad))
         return false;
-    *part = (PolygonPart){.corners = {quad[0], quad[1], quad[2], quad[3]}, .count = 4};
+    *piece = (PolygonPiece){.corners = {quad[0], quad[1], quad[2], quad[3]}, .count = 4};
     return true;
 }
 
-/* Adds the triangle at an ear. Returns its part, as what lies beyond the new edge; that may be a quad now. */
+/* Adds the triangle at an ear. Returns its piece, as what lies beyond the new edge; that may be a quad now. */
 static int add_triangle(PolygonRing *ring, int ear)
 {
     const PolygonVertex *v = &ring->vertices[ear];
@@ -149,8 +149,8 @@ static int add_triangle(PolygonRing *ring, int ear)
     for (int edge = 0; edge < edges; edge++)
         if (join(ring, triangle, edge))
             return ring->vertices[triangle[edge]].beyond;
-    ring->parts[ring->part_count] = (PolygonPart){.corners = {triangle[0], ear, triangle[2]}, .count = 3};
-    return ring->part_count++;
+    ring->pieces[ring->piece_count] = (PolygonPiece){.corners = {triangle[0], ear, triangle[2]}, .count = 3};
+    return ring->piece_count++;
 }
 
 /* Is what is left without any area? */
@@ -167,7 +167,7 @@ static bool is_flat(const PolygonRing *ring, int start)
 }
 
 /* Where the boundary touches itself, a vertex may lie on an edge and be in no one's way. So when no ear is left, only
- * vertices inside a triangle count ("relaxed"): a wrong choice can not give wrong parts, it only ends in an error. */
+ * vertices inside a triangle count ("relaxed"): a wrong choice can not give wrong pieces, it only ends in an error. */
 bool polygon_ears_cut(PolygonRing *ring)
 {
     int start = 0;

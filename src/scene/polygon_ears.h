@@ -6,7 +6,7 @@
 
 #include "scene/polygon_ring.h"
 
-/* Cuts the whole ring into its parts. False where something is left that has no ear: the boundary crosses itself. */
+/* Cuts the whole ring into its pieces. False where something is left that has no ear: the boundary crosses itself. */
 bool polygon_ears_cut(PolygonRing *ring);
 
 #endif

@@ -64,11 +64,11 @@ bool polygon_ring_crosses(PolygonRing *ring, int *first, int *second)
     return false;
 }
 
-/* Is one of the edges of `part` a line with all of `other` on its outer side? */
-static bool is_parted_by(const PolygonRing *ring, const PolygonPart *part, const PolygonPart *other)
+/* Is one of the edges of `piece` a line with all of `other` on its outer side? */
+static bool is_parted_by(const PolygonRing *ring, const PolygonPiece *piece, const PolygonPiece *other)
 {
-    for (int i = 0; i < part->count; i++) {
-        int outside = 0, a = part->corners[i], b = part->corners[(i + 1) % part->count];
+    for (int i = 0; i < piece->count; i++) {
+        int outside = 0, a = piece->corners[i], b = piece->corners[(i + 1) % piece->count];
         while (outside < other->count && polygon_ring_turn(ring, a, b, other->corners[outside]) <= 0)
             outside++;
         if (outside == other->count)
@@ -77,12 +77,12 @@ static bool is_parted_by(const PolygonRing *ring, const PolygonPart *part, const
     return false;
 }
 
-bool polygon_ring_parts_overlap(const PolygonRing *ring)
+bool polygon_ring_pieces_overlap(const PolygonRing *ring)
 {
-    const PolygonPart *parts = ring->parts;
-    for (int i = 0; i < ring->part_count; i++)
+    const PolygonPiece *pieces = ring->pieces;
+    for (int i = 0; i < ring->piece_count; i++)
         for (int k = 0; k < i; k++)
-            if (!is_parted_by(ring, &parts[i], &parts[k]) && !is_parted_by(ring, &parts[k], &parts[i]))
+            if (!is_parted_by(ring, &pieces[i], &pieces[k]) && !is_parted_by(ring, &pieces[k], &pieces[i]))
                 return true;
     return false;
 }

@@ -7,17 +7,17 @@
 #include <stdbool.h>
 
 /* A triangle or a convex quad, by numbers of the polygon's vertices, in their order. */
-typedef struct PolygonPart {
+typedef struct PolygonPiece {
     int corners[4];
     int count; /* 3 or 4 */
-} PolygonPart;
+} PolygonPiece;
 
 /* One vertex. Where it stands in the plane serves to skip what is far away, and to compare lengths: it is rounded. */
 typedef struct PolygonVertex {
     Vec3 at;
     double u, v;        /* in the plane, but for rounding */
     int next, previous; /* in the ring */
-    int beyond;         /* the part on the other side of the edge to `next`; -1: the edge is the polygon's own */
+    int beyond;         /* the piece on the other side of the edge to `next`; -1: the edge is the polygon's own */
     double diagonal;    /* from `previous` to `next`, squared; HUGE_VAL where that triangle may not be cut off */
 } PolygonVertex;
 
@@ -29,10 +29,10 @@ typedef struct PolygonRing {
     bool touches;  /* the boundary meets itself at `touch`, two edges */
     int touch[2];  /* by their first vertices */
     bool relaxed;  /* see polygon_ears_cut */
-    int fold;      /* a vertex at which the boundary turns back along itself, -1: none. No part has that vertex */
+    int fold;      /* a vertex at which the boundary turns back along itself, -1: none. No piece has that vertex */
     PolygonVertex *vertices;
-    PolygonPart *parts; /* what was cut off */
-    int part_count;
+    PolygonPiece *pieces; /* what was cut off */
+    int piece_count;
 } PolygonRing;
 
 /* +1 where a, b, c turn to the left, -1 to the right, 0 on a line: exact. */
@@ -45,8 +45,8 @@ bool polygon_ring_folds(const PolygonRing *ring, int a, int b, int c);
  * vertices; else fills ring->touches. */
 bool polygon_ring_crosses(PolygonRing *ring, int *first, int *second);
 
-/* Whether two parts have more in common than edges. */
-bool polygon_ring_parts_overlap(const PolygonRing *ring);
+/* Whether two pieces have more in common than edges. */
+bool polygon_ring_pieces_overlap(const PolygonRing *ring);
 
 /* Whether four vertices are a quad that may be traced whole. */
 bool polygon_ring_is_quad(const PolygonRing *ring, const int *corners);
