@@ -176,7 +176,7 @@ static void broken_lines_should_be_named(void)
     assert_fails("v 0x10 0 0\n", ":5: \"0x10\" is not a finite number");
     assert_fails("v 1 2 3 4 5\n", ":5: a vertex needs three coordinates, not 5");
     assert_fails("v 1 2 3 1 5 6 7 8\n", ":5: more than 7 numbers");
-    assert_fails("f\n", ":5: a face of 0 vertices; 3 or 4 are supported");
+    assert_fails("f\n", ":5: a face of 0 vertices; it needs at least 3");
     build.object.material = -1;
     assert_fails("f 1 2 3\n", ":5: the face has no material: neither it nor its object names one");
     assert_fails(

@@ -3,6 +3,7 @@
 #include "reader/finish_faces.h"
 
 #include "base/parallel.h"
+#include "reader/finish_lost.h"
 #include "scene/face_lanes.h"
 #include "scene/geometry.h"
 
@@ -15,6 +16,7 @@ enum { MIN_PARALLEL = 1 << 14, PIECE = 1 << 13, NONE = -1 };
 typedef struct Piece {
     Vec3 low, high; /* of its vertices */
     int fault;      /* its first face that is not valid, or NONE */
+    bool lost;      /* some face has lost its area: finish_lost.h */
 } Piece;
 
 typedef struct Pieces {
@@ -110,7 +112,7 @@ static void check_piece(void *data, int index, int thread)
         bounds.low[i / FACE_LANES][i % FACE_LANES] = HUGE_VAL;
         bounds.high[i / FACE_LANES][i % FACE_LANES] = -HUGE_VAL;
     }
-    *piece = (Piece){vec3(HUGE_VAL, HUGE_VAL, HUGE_VAL), vec3(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL), NONE};
+    *piece = (Piece){vec3(HUGE_VAL, HUGE_VAL, HUGE_VAL), vec3(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL), NONE, false};
     for (int i = index * PIECE, end = end_of(pieces, index); i < end; i += FACE_LANES)
         check_faces(pieces, piece, i, end - i < FACE_LANES ? end - i : FACE_LANES, &bounds);
     for (int l = 0; l < FACE_LANES; l++)
@@ -135,7 +137,7 @@ static void put_face(const SceneBuildFace *from, Face *face)
     face->one_sided = from->one_sided;
 }
 
-/* One face. Returns why it cannot be; NULL where it can. */
+/* One face. Returns why it cannot be; NULL where it can, or where it is lost: then it has no vertices. */
 static const char *round_face(const SceneBuild *build, int index)
 {
     const SceneBuildFace *from = &build->faces[index];
@@ -151,9 +153,12 @@ static const char *round_face(const SceneBuild *build, int index)
         face->vertices[k][2] = (float)p.z;
         rounded[k] = face_vertex(face, k);
     }
-    if (shape_of_rounded(rounded, face->vertex_count).verdict)
-        return "the face is too small for its distance from the centre of the scene: rounded to float32 it loses its "
-               "area or its shape";
+    ShapeVerdict verdict = shape_of_rounded(rounded, face->vertex_count).verdict;
+    if (verdict != SHAPE_GOOD) {
+        bool no_area = verdict == SHAPE_REPEATED || verdict == SHAPE_NO_AREA;
+        face->vertex_count = 0;
+        return no_area && finish_lost_may_be(build, index) ? NULL : finish_lost_reason;
+    }
     build->scene->planes[index] = face_plane(face);
     return NULL;
 }
@@ -188,6 +193,7 @@ static void round_faces(Pieces *pieces, Piece *piece, int first, int count)
         if (doubt >> l & 1) {
             if (round_face(build, first + l))
                 piece->fault = first + l;
+            piece->lost = piece->lost || build->scene->faces[first + l].vertex_count == 0;
         } else {
             put_face(&build->faces[first + l], &build->scene->faces[first + l]);
             put_lane(&lanes, &planes, l, &build->scene->faces[first + l], &build->scene->planes[first + l]);
@@ -214,7 +220,7 @@ static Pieces do_pieces(SceneBuild *build, void (*work)(void *data, int index, i
         return pieces;
     }
     for (int i = 0; i < pieces.count; i++)
-        pieces.pieces[i].fault = NONE;
+        pieces.pieces[i] = (Piece){.fault = NONE};
     parallel_for(build->face_count < MIN_PARALLEL ? 1 : 0, pieces.count, work, &pieces);
     return pieces;
 }
@@ -253,8 +259,12 @@ bool finish_faces_check(SceneBuild *build, Vec3 *low, Vec3 *high)
 bool finish_faces_round(SceneBuild *build)
 {
     Pieces pieces = do_pieces(build, round_piece);
+    bool lost = false;
+    for (int i = 0; pieces.pieces && i < pieces.count; i++)
+        lost = lost || pieces.pieces[i].lost;
     bool good = judge(build, &pieces);
     if (build->fault)
         snprintf(build->reason, sizeof build->reason, "%s", round_face(build, (int)(build->fault - build->faces)));
-    return good;
+    build->scene->face_count = build->face_count;
+    return good && (!lost || finish_lost_drop(build));
 }

@@ -45,4 +45,17 @@ const NoteKind note_kinds[NOTE_NAMES] = {
                             "a material is white all over: its Ka is 1 1 1, as is a light's \"ambient\"",
                             "materials are white all over: their Ka is 1 1 1, as is a light's \"ambient\"",
                             "write \"ambient\": [0.2, 0.2, 0.2] into each light, or Ka 0.2 0.2 0.2 into the library"},
+    [NOTE_NO_AREA] = {"no-area", "a face without area is left out", "faces without area are left out",
+                      "\"degenerate\": \"error\" would refuse it"},
+    [NOTE_REPEATED] = {"repeated", "a face repeats a point, and is taken without the second",
+                       "faces repeat a point, and are taken without the second",
+                       "\"degenerate\": \"error\" would refuse it"},
+    [NOTE_FOLDED] = {"folded", "a face turns back along its own edge, and is taken without that corner",
+                     "faces turn back along their own edges, and are taken without those corners",
+                     "\"degenerate\": \"error\" would refuse it"},
+    [NOTE_TOO_SMALL] = {"too-small",
+                        "a face is left out: it is so small that it loses its area when it is rounded to float32",
+                        "faces are left out: they are so small that they lose their area when they are rounded to "
+                        "float32",
+                        "\"degenerate\": \"error\" would refuse it"},
 };

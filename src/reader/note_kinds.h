@@ -25,6 +25,10 @@ typedef enum NoteName {
     NOTE_PICTURE_ONLY,
     NOTE_PHYSICAL,
     NOTE_AMBIENT_WHITE,
+    NOTE_NO_AREA, /* of a face, as the rest */
+    NOTE_REPEATED,
+    NOTE_FOLDED,
+    NOTE_TOO_SMALL,
     NOTE_NAMES, /* how many there are */
 } NoteName;
 

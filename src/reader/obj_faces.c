@@ -94,8 +94,8 @@ bool obj_faces_read(ObjFaces *faces, LineScan *scan)
         highest = grown[faces->vertex_count] > highest ? grown[faces->vertex_count] : highest;
     }
     face.count = faces->vertex_count - face.first;
-    if (face.count < 3 || face.count > 4)
-        return scan_fail(scan, face.line, "a face of %d vertices; 3 or 4 are supported", face.count);
+    if (face.count < 3)
+        return scan_fail(scan, face.line, "a face of %d vertices; it needs at least 3", face.count);
     faces->count++;
     if (highest >= defined || faces->waiting_count > 0)
         return wait_for_end(faces, face) && scan_next_line(scan);

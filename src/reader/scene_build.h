@@ -7,6 +7,7 @@
 
 #include "base/names.h"
 #include "reader/note_kinds.h"
+#include "scene/polygon_cut.h"
 #include "scene/scene.h"
 #include "scene/shape.h"
 #include "scene/transform.h"
@@ -18,7 +19,9 @@
 typedef struct SceneBuildObject {
     Transform transform;
     int material; /* -1: none */
-    bool one_sided, split;
+    bool one_sided;
+    bool split;    /* faces that are not planar are cut */
+    bool skip;     /* faces without area are left out, and points that repeat the one before */
     bool mirrored; /* set by scene_build_object: the transform turns a right hand into a left one */
     int first_point;
     int first_number; /* how the file counts its vertices: from 0, an OBJ from 1 */
@@ -27,9 +30,11 @@ typedef struct SceneBuildObject {
 /* A face before it is rounded: four numbers of points instead of four points. */
 typedef struct SceneBuildFace {
     int points[4];
-    int number, object, material;
+    int number; /* of the face in the file; the pieces of one that was cut have the same */
+    int object, material;
     int place; /* the reader's: an index in a list, or a line of a file */
     unsigned char vertex_count, one_sided;
+    unsigned char skip;  /* it may be left out where rounding takes its area */
     unsigned char shape; /* whether scene_build_finish has to look at it */
 } SceneBuildFace;
 
@@ -38,6 +43,12 @@ enum {
     BUILD_SHAPE_UNCHECKED,
     BUILD_SHAPE_UNCHECKED_TURNED /* a mirror turned the face over: the file's order is 0 3 2 1 */
 };
+
+/* An object whose faces' places are lines of a file. */
+typedef struct SceneBuildModel {
+    char *path;
+    int object;
+} SceneBuildModel;
 
 typedef struct SceneBuild {
     Scene *scene;
@@ -48,7 +59,14 @@ typedef struct SceneBuild {
     SceneBuildFace *faces;
     int face_count, face_capacity;
     int object_capacity, material_capacity, part_capacity;
-    int first_part;              /* of the object */
+    int first_part; /* of the object */
+    SceneBuildModel *models;
+    int model_count, model_capacity;
+    PolygonCut cut; /* of the face being built, where it is not simply added; its corners in the object and the world */
+    int *corners;
+    Vec3 *corner_points;
+    int corner_capacity;
+    const char *path;            /* of the scene file */
     int next_number;             /* of a face */
     SceneBuildObject object;     /* the one being built */
     char reason[256];            /* why the last call failed, where the error says nothing */
@@ -76,8 +94,12 @@ bool scene_build_point(SceneBuild *build, Vec3 point);
 
 int scene_build_point_count(const SceneBuild *build); /* of the object */
 
-/* Adds a face of 3 or 4 of the object's points (all must exist),
- * after checking its shape. material -1: the object's. */
+/* Begins a model: the faces of the object that was begun last are at lines of this file, whose path is copied, and its
+ * vertices count from 1. */
+bool scene_build_model(SceneBuild *build, const char *path);
+
+/* Adds a face of at least 3 of the object's points (all must exist), after checking its shape. One that is no good quad
+ * or triangle is cut into such, or left out with a note (scene_polygon.h). material -1: the object's. */
 bool scene_build_face(SceneBuild *build, const int *vertices, int count, int material, int place);
 
 /* Adds the six faces of an axis-parallel box (before the transform) in the order -x, +x, -y, +y, -z, +z, wound outward,
@@ -86,6 +108,9 @@ bool scene_build_box(SceneBuild *build, Vec3 low, Vec3 high);
 
 /* Adds a note on a file, at a place. */
 bool scene_build_note(SceneBuild *build, NoteName name, const char *path, NotePlace place);
+
+/* Adds a note on a face. */
+bool scene_build_note_face(SceneBuild *build, NoteName name, int object, int place);
 
 /* The same in one step for a reader that has put points and faces into the arrays itself, behind those that are there:
  * points as the file gives them; of faces the vertices' numbers within the object, their count, material and place.

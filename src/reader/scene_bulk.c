@@ -112,7 +112,8 @@ static bool begin_by_tree(BulkReader *reader, int index)
     return good;
 }
 
-/* The object's faces one by one: where those that are not planar are split, a face may become two. */
+/* The object's faces one by one: where those that are not planar are split, and those without area left out, a face may
+ * become several or none. */
 static bool add_slowly(BulkReader *reader)
 {
     SceneBuild *build = reader->build;
@@ -141,8 +142,9 @@ static bool add_shape(BulkReader *reader)
         return scene_build_adopt_box(build, reader->shape.low, reader->shape.high);
     if (!reader->vertices)
         return true;
-    return build->object.split ? add_slowly(reader)
-                               : scene_build_adopt(build, reader->shape.point_count, reader->shape.face_count);
+    return build->object.split || build->object.skip
+               ? add_slowly(reader)
+               : scene_build_adopt(build, reader->shape.point_count, reader->shape.face_count);
 }
 
 static const char *read_object(BulkReader *reader, const char *at, int index)

@@ -72,7 +72,6 @@ bool scene_build_finish(SceneBuild *build)
         return error_memory(build->error, "faces");
     if (!finish_faces_round(build))
         return false;
-    scene->face_count = build->face_count;
     count_faces(scene);
     return move_camera(build) && move_lights(build);
 }

@@ -221,7 +221,7 @@ static bool read_scene(const Json *json, const JsonSpan *bulk, Scene *scene, Sce
 /* Reads a parsed file, and frees it. */
 static bool finish_load(Scene *scene, Json *json, const JsonSpan *bulk)
 {
-    SceneBuild build = {.scene = scene, .error = json->error};
+    SceneBuild build = {.scene = scene, .error = json->error, .path = json->name};
     bool good = read_scene(json, bulk, scene, &build);
     scene_build_free(&build);
     json_free(json);

@@ -129,9 +129,8 @@ bool scene_obj_read(SceneBuild *build, const char *path)
         .materials = {.build = build, .path = path, .current = -1},
         .faces = {.build = build, .materials = &reader.materials},
     };
-    build->object.first_number = 1;
     number_prepare();
-    bool good = read_file(&reader) && obj_faces_finish(&reader.faces, &reader.scan);
+    bool good = scene_build_model(build, path) && read_file(&reader) && obj_faces_finish(&reader.faces, &reader.scan);
     if (good && reader.faces.count == 0)
         good = error_set(build->error, ERROR_INPUT, "%s: holds no face", path);
     if (good && reader.colours.count > 0)

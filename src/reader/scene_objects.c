@@ -46,6 +46,19 @@ static bool find_material(const Json *json, const cJSON *item, const SceneBuild 
     return *material >= 0 || fail_material(json, item, build);
 }
 
+static bool read_indices(const Json *json, const cJSON *face, const cJSON *list, const SceneBuild *build, int *vertices)
+{
+    int i = 0;
+    for (const cJSON *child = list->child; child; child = child->next, i++) {
+        if (!json_integer(json, child, INT_MIN, INT_MAX, &vertices[i]))
+            return false;
+        if (vertices[i] < 0 || vertices[i] >= scene_build_point_count(build))
+            return json_fail(json, face, "vertex %d does not exist; the object has %d vertices", vertices[i],
+                             scene_build_point_count(build));
+    }
+    return true;
+}
+
 static bool read_face(const Json *json, const cJSON *item, SceneBuild *build, int place)
 {
     JsonMember keys[] = {{.name = "vertices", .required = true}, {.name = "material"}};
@@ -61,17 +74,17 @@ static bool read_face(const Json *json, const cJSON *item, SceneBuild *build, in
         return json_fail_type(json, item, "a list of vertices or an object");
     if (!json_list(json, list))
         return false;
-    int count = cJSON_GetArraySize(list), vertices[4] = {0}, i = 0;
-    if (count < 3 || count > 4)
-        return json_fail(json, item, "a face has 3 or 4 vertices, not %d", count);
-    for (const cJSON *child = list->child; child; child = child->next, i++) {
-        if (!json_integer(json, child, INT_MIN, INT_MAX, &vertices[i]))
-            return false;
-        if (vertices[i] < 0 || vertices[i] >= scene_build_point_count(build))
-            return json_fail(json, item, "vertex %d does not exist; the object has %d vertices", vertices[i],
-                             scene_build_point_count(build));
-    }
-    return scene_build_face(build, vertices, count, material, place) || fail_build(json, item, build);
+    int count = cJSON_GetArraySize(list), few[4] = {0};
+    if (count < 3)
+        return json_fail(json, item, "a face has at least 3 vertices, not %d", count);
+    int *vertices = count <= 4 ? few : calloc((size_t)count, sizeof *vertices);
+    if (!vertices)
+        return error_memory(json->error, "a face");
+    bool good = read_indices(json, item, list, build, vertices) &&
+                (scene_build_face(build, vertices, count, material, place) || fail_build(json, item, build));
+    if (vertices != few)
+        free(vertices);
+    return good;
 }
 
 static bool read_faces(const Json *json, const cJSON *vertices, const cJSON *faces, SceneBuild *build)
@@ -157,20 +170,24 @@ static bool read_obj(const Json *json, const cJSON *item, bool is_named, SceneBu
     return good;
 }
 
-enum { NAME, MATERIAL, VERTICES, FACES, BOX, OBJ, TRANSFORM, NONPLANAR, SIDED, OBJECT_KEYS };
+enum { NAME, MATERIAL, VERTICES, FACES, BOX, OBJ, TRANSFORM, NONPLANAR, DEGENERATE, SIDED, OBJECT_KEYS };
 
 static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *build, SceneBuildObject *object)
 {
-    static const char *const nonplanar[] = {"error", "split"}, *const sided[] = {"both", "front"};
-    int split = 0, front = 0;
+    static const char *const nonplanar[] = {"error", "split"}, *const degenerate[] = {"error", "skip"};
+    static const char *const sided[] = {"both", "front"};
+    int split = 0, skip = keys[OBJ].item != NULL, front = 0; /* of models nobody looks at every face */
     object->material = -1;
     if (keys[MATERIAL].item && !find_material(json, keys[MATERIAL].item, build, &object->material))
         return false;
     if (keys[NONPLANAR].item && !json_choice(json, keys[NONPLANAR].item, nonplanar, 2, &split))
         return false;
+    if (keys[DEGENERATE].item && !json_choice(json, keys[DEGENERATE].item, degenerate, 2, &skip))
+        return false;
     if (keys[SIDED].item && !json_choice(json, keys[SIDED].item, sided, 2, &front))
         return false;
     object->split = split == 1;
+    object->skip = skip == 1;
     object->one_sided = front == 1;
     return scene_transform_read(json, keys[TRANSFORM].item, &object->transform);
 }
@@ -184,6 +201,7 @@ static const JsonMember object_keys[OBJECT_KEYS] = {
     [OBJ] = {.name = "obj"},
     [TRANSFORM] = {.name = "transform"},
     [NONPLANAR] = {.name = "nonplanar"},
+    [DEGENERATE] = {.name = "degenerate"},
     [SIDED] = {.name = "sided"},
 };
 

@@ -128,12 +128,22 @@ static double size_of(const PolygonRing *ring)
     return vec3_length(vec3_sub(high, low));
 }
 
+/* A point of the plane, from vertex 0: the middle of the vertices, of a quad vertex 0. */
+static Vec3 middle_of(const PolygonRing *ring)
+{
+    Vec3 sum = vec3(0, 0, 0);
+    for (int i = 1; i < ring->count && ring->count > 4; i++)
+        sum = vec3_add(sum, from_first(ring, i));
+    return vec3_scale(1.0 / ring->count, sum);
+}
+
 static bool is_planar(PolygonCut *cut, int exponent)
 {
     const PolygonRing *ring = &cut->ring;
     double size = size_of(ring), farthest = 0;
-    for (int i = 1; i < ring->count; i++) {
-        double distance = fabs(vec3_dot(ring->normal, from_first(ring, i)));
+    Vec3 middle = middle_of(ring);
+    for (int i = 0; i < ring->count; i++) {
+        double distance = fabs(vec3_dot(ring->normal, vec3_sub(from_first(ring, i), middle)));
         if (distance > farthest) {
             farthest = distance;
             cut->first = i;

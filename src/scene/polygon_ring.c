@@ -87,13 +87,17 @@ bool polygon_ring_pieces_overlap(const PolygonRing *ring)
     return false;
 }
 
+/* Rounding to float32 may bend a corner inwards that is nearly straight, and shape.h allows 1/100 of the area then. */
+static const double STRAIGHT = 1.0 / 50;
+
 bool polygon_ring_is_quad(const PolygonRing *ring, const int *corners)
 {
-    Vec3 points[4];
-    for (int i = 0; i < 4; i++) {
-        if (polygon_ring_turn(ring, corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]) < 0)
+    Vec3 p[4];
+    for (int i = 0; i < 4; i++)
+        p[i] = ring->vertices[corners[i]].at;
+    double area = vec3_dot(ring->normal, vec3_cross(vec3_sub(p[2], p[0]), vec3_sub(p[3], p[1])));
+    for (int i = 0; i < 4; i++)
+        if (!(point_left_of(ring->normal, p[i], p[(i + 1) % 4], p[(i + 2) % 4]) > STRAIGHT * area))
             return false;
-        points[i] = ring->vertices[corners[i]].at;
-    }
-    return shape_of(points, 4).verdict == SHAPE_GOOD;
+    return area > 0 && shape_of(p, 4).verdict == SHAPE_GOOD;
 }

@@ -48,7 +48,7 @@ bool polygon_ring_crosses(PolygonRing *ring, int *first, int *second);
 /* Whether two pieces have more in common than edges. */
 bool polygon_ring_pieces_overlap(const PolygonRing *ring);
 
-/* Whether four vertices are a quad that may be traced whole. */
+/* Whether four vertices are a convex quad that may be traced whole. */
 bool polygon_ring_is_quad(const PolygonRing *ring, const int *corners);
 
 #endif

@@ -1,0 +1,16 @@
+/* Faces that lose their area when they are rounded to float32. They would cover nothing, so they may be left out: with a
+ * note where the object skips what has no area, and silently where they are pieces of a face that keeps others. */
+#ifndef RECTRAY_FINISH_LOST_H
+#define RECTRAY_FINISH_LOST_H
+
+#include "reader/scene_build.h"
+
+extern const char finish_lost_reason[];
+
+/* May the face be left out, as far as one can tell without its other pieces? */
+bool finish_lost_may_be(const SceneBuild *build, int index);
+
+/* Leaves out the scene's faces that have no vertices. On failure the build has the face that may not be left out. */
+bool finish_lost_drop(SceneBuild *build);
+
+#endif
