@@ -1,5 +1,5 @@
-/* Polygons cut into convex pieces: closed forms, then random polygons against their exact coverage. RECTRAY_SOAK=1 tries
- * 10000 of them. */
+/* Polygons cut into convex pieces: closed forms, then random polygons against their exact coverage.
+ * RECTRAY_SOAK=1 tries 10000 of them. */
 #include "scene/polygon_cut.h"
 
 #include "support/polygon.h"

@@ -40,7 +40,7 @@ static void print_contents(const Scene *scene, const Survey *survey)
         print_row("", " named parts of models", scene->part_count);
     print_row("faces", "", survey->numbers);
     if (scene->face_count > survey->numbers)
-        print_row("", " traced: faces that are not planar are split in two", scene->face_count);
+        print_row("", " traced: pieces of faces that were cut", scene->face_count);
     if (survey->triangles > 0)
         print_row("", " of them triangles", survey->triangles);
     if (survey->one_sided > 0)

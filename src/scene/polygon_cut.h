@@ -27,11 +27,12 @@ typedef struct PolygonCut {
     int capacity;     /* vertices for which there is memory */
 } PolygonCut;
 
-/* Cuts a polygon of at least 3 vertices, all finite. A face of 3 or 4 that shape.h calls good is one piece. Planar
- * means: no vertex is farther than 1e-5 of the polygon's size from the plane through the middle of its vertices whose
- * normal is the sum of the cross products around it (Newell's). The size is the diagonal of the box around the vertices.
- * Of a quad it is the longer diagonal, and the plane goes through vertex 0. A `bent` polygon need not be planar. A quad
- * is cut from vertex 0 to 2 where that stays inside. False without memory. */
+/* Cuts a polygon of at least 3 vertices, all finite. A face of 3 or 4 that shape.h calls good is one piece. A quad is
+ * cut from vertex 0 to 2 where that stays inside. A `bent` polygon need not be planar. False without memory.
+ *
+ * Planar means: no vertex is farther than 1e-5 of the polygon's size from the plane through the middle of its vertices
+ * whose normal is the sum of the cross products around it (Newell's). The size is the diagonal of the box around the
+ * vertices. Of a quad it is the longer diagonal, and the plane goes through vertex 0. */
 bool polygon_cut(PolygonCut *cut, const Vec3 *vertices, int count, bool bent, Error *error);
 
 void polygon_cut_free(PolygonCut *cut);

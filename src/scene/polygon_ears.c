@@ -125,8 +125,8 @@ static int unfold(PolygonRing *ring, int start)
     return start;
 }
 
-/* Joins the triangle to the one beyond its edge `edge`, if the two are a convex quad. Every triangle is offered to the
- * later one beside it only, and the triangles of a polygon are a tree: so no other choice makes fewer pieces of them. */
+/* Joins the triangle to the one beyond its edge `edge`, if the two are a convex quad. Every triangle is offered only to
+ * the later one beside it, and the triangles of a polygon are a tree: so no other choice makes fewer pieces of them. */
 static bool join(PolygonRing *ring, const int *triangle, int edge)
 {
     int beyond = ring->vertices[triangle[edge]].beyond;

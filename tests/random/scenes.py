@@ -217,6 +217,23 @@ class Generator:
         raised = combine((1, corner), (1, b), (lift / length(normal), normal))
         return [corner, combine((1, corner), (1, a)), combine((1, corner), (1, a), (1, b)), raised], [[0, 1, 2, 3]]
 
+    def mesh_of_polygons(self):
+        """Planar polygons around a middle, most of them concave; some with a corner that has no area, or is none."""
+        vertices, faces = [], []
+        for _ in range(self.rng.choice([1, 1, 2])):
+            a, b = self.sides()
+            corner, count = self.vector(), self.rng.choice([4, 5, 5, 6, 7, 9, 12, 20])
+            ring = []
+            for i in range(count):
+                angle, radius = 2 * math.pi * i / count, self.rng.choice([1, 1, 0.6, self.rng.uniform(0.2, 1)])
+                ring.append(combine((1, corner), (radius * math.cos(angle), a), (radius * math.sin(angle), b)))
+            order = [len(vertices) + i for i in range(count)]
+            vertices += ring
+            if self.chance(0.2):
+                order.insert(2, order[1])
+            faces.append(order[::-1] if self.chance(0.3) else order)
+        return vertices, faces
+
     def transform(self):
         steps = []
         for _ in range(self.rng.choice([0, 0, 1, 1, 2, 3])):
@@ -266,7 +283,7 @@ class Generator:
     def object(self):
         thing = {"name": self.word()} if self.chance(0.5) else {}
         steps = self.transform()
-        kind = self.rng.choice(["box", "box", "faces", "faces", "sheet", "twisted", "obj"])
+        kind = self.rng.choice(["box", "box", "faces", "faces", "sheet", "twisted", "polygons", "obj"])
         names = list(self.materials)
         own_material = kind in ("box", "twisted") or self.chance(0.7)
         if own_material:
@@ -277,8 +294,9 @@ class Generator:
             thing["box"] = {"min": low, "max": combine((1, low), (1, [max(s, 0.1) for s in size]))}
         else:
             vertices, faces = {"faces": self.mesh_of_faces, "sheet": self.mesh_of_sheet,
-                               "twisted": self.mesh_of_twisted,
-                               "obj": self.rng.choice([self.mesh_of_faces, self.mesh_of_sheet])}[kind]()
+                               "twisted": self.mesh_of_twisted, "polygons": self.mesh_of_polygons,
+                               "obj": self.rng.choice([self.mesh_of_faces, self.mesh_of_sheet,
+                                                       self.mesh_of_polygons])}[kind]()
             if kind == "obj" and self.name + ".obj" not in self.files:
                 self.model(vertices, faces, own_material)
                 thing["obj"] = self.name + ".obj"
@@ -286,8 +304,10 @@ class Generator:
                 with_material = lambda face: self.commented({"vertices": face, "material": self.rng.choice(names)})
                 thing["vertices"] = vertices + ([self.vector()] if self.chance(0.1) else [])
                 thing["faces"] = [with_material(f) if not own_material or self.chance(0.2) else f for f in faces]
-            if kind == "twisted" or self.chance(0.1):
+            if kind in ("twisted", "polygons") or self.chance(0.1):
                 thing["nonplanar"] = "split"
+            if kind == "polygons":
+                thing["degenerate"] = "skip"
         if self.chance(0.25):
             thing["sided"] = self.rng.choice(["front", "front", "both"])
         if self.scale != 1:
