@@ -306,7 +306,7 @@ class Generator:
                 thing["faces"] = [with_material(f) if not own_material or self.chance(0.2) else f for f in faces]
             if kind in ("twisted", "polygons") or self.chance(0.1):
                 thing["nonplanar"] = "split"
-            if kind == "polygons":
+            if kind == "polygons" or (kind == "obj" and "obj" not in thing):
                 thing["degenerate"] = "skip"
         if self.chance(0.25):
             thing["sided"] = self.rng.choice(["front", "front", "both"])
