@@ -55,7 +55,8 @@ $(BUILD)/tests/test_%: $(BUILD)/tests/test_%.o $(BUILD)/tests/unity.o $(LIBRARY)
 $(BUILD)/tests/test_oracle: $(BUILD)/tests/support/oracle.o
 $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(patsubst %,$(BUILD)/tests/support/%.o,coverage polygon)
 $(BUILD)/tests/test_polygon_cut: $(patsubst %,$(BUILD)/tests/support/%.o,polygon random_polygon)
-$(patsubst %,$(BUILD)/tests/test_%,oracle truth convergence polygon_cut): LIBS += -lgmp
+$(BUILD)/tests/test_scene_polygon: $(patsubst %,$(BUILD)/tests/support/%.o,coverage polygon random_polygon)
+$(patsubst %,$(BUILD)/tests/test_%,oracle truth convergence polygon_cut scene_polygon): LIBS += -lgmp
 
 $(BUILD)/tests/test_backends $(BUILD)/tests/test_plain: $(BUILD)/tests/support/near_edge.o
 $(BUILD)/tests/test_plain $(BUILD)/tests/test_textbook: $(BUILD)/tests/support/plain_picture.o

@@ -137,12 +137,19 @@ static void put_face(const SceneBuildFace *from, Face *face)
     face->one_sided = from->one_sided;
 }
 
+static Shape shape_as_rounded(const Face *face)
+{
+    Vec3 rounded[4];
+    for (int k = 0; k < 4; k++)
+        rounded[k] = face_vertex(face, k);
+    return shape_of_rounded(rounded, face->vertex_count);
+}
+
 /* One face. Returns why it cannot be; NULL where it can, or where it is lost: then it has no vertices. */
 static const char *round_face(const SceneBuild *build, int index)
 {
     const SceneBuildFace *from = &build->faces[index];
     Face *face = &build->scene->faces[index];
-    Vec3 rounded[4];
     put_face(from, face);
     for (int k = 0; k < 4; k++) {
         Vec3 p = vec3_sub(build->points[from->points[corner_of(from, k, false)]], build->scene->centre);
@@ -151,13 +158,17 @@ static const char *round_face(const SceneBuild *build, int index)
         face->vertices[k][0] = (float)p.x;
         face->vertices[k][1] = (float)p.y;
         face->vertices[k][2] = (float)p.z;
-        rounded[k] = face_vertex(face, k);
     }
-    ShapeVerdict verdict = shape_of_rounded(rounded, face->vertex_count).verdict;
-    if (verdict != SHAPE_GOOD) {
-        bool no_area = verdict == SHAPE_REPEATED || verdict == SHAPE_NO_AREA;
+    Shape shape = shape_as_rounded(face);
+    bool may_be_lost = shape.verdict && finish_lost_may_be(build, index);
+    if (may_be_lost && shape.verdict == SHAPE_REPEATED && face->vertex_count == 4) {
+        finish_lost_point(face, shape.second);
+        shape = shape_as_rounded(face);
+    }
+    bool no_area = shape.verdict == SHAPE_REPEATED || shape.verdict == SHAPE_NO_AREA;
+    if (shape.verdict) {
         face->vertex_count = 0;
-        return no_area && finish_lost_may_be(build, index) ? NULL : finish_lost_reason;
+        return no_area && may_be_lost ? NULL : finish_lost_reason;
     }
     build->scene->planes[index] = face_plane(face);
     return NULL;

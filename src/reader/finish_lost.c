@@ -2,6 +2,7 @@
 #include "reader/finish_lost.h"
 
 #include <stdio.h>
+#include <string.h>
 
 const char finish_lost_reason[] = "the face is too small for its distance from the centre of the scene: rounded to "
                                   "float32 it loses its area or its shape";
@@ -15,6 +16,14 @@ static bool is_with_next(const SceneBuild *build, int index)
 bool finish_lost_may_be(const SceneBuild *build, int index)
 {
     return build->faces[index].skip || is_with_next(build, index) || (index > 0 && is_with_next(build, index - 1));
+}
+
+void finish_lost_point(Face *face, int second)
+{
+    for (int k = second; k < 3; k++)
+        memcpy(face->vertices[k], face->vertices[k + 1], sizeof face->vertices[k]);
+    memcpy(face->vertices[3], face->vertices[0], sizeof face->vertices[3]);
+    face->vertex_count = 3;
 }
 
 /* All pieces of the face are lost. */

@@ -1,5 +1,5 @@
-/* Faces that lose their area when they are rounded to float32. They would cover nothing, so they may be left out: with a
- * note where the object skips what has no area, and silently where they are pieces of a face that keeps others. */
+/* Faces that lose their area when they are rounded to float32. They would cover nothing, so they may be left out: with
+ * a note where the object skips what has no area, silently where other pieces of the same face stay. */
 #ifndef RECTRAY_FINISH_LOST_H
 #define RECTRAY_FINISH_LOST_H
 
@@ -9,6 +9,9 @@ extern const char finish_lost_reason[];
 
 /* May the face be left out, as far as one can tell without its other pieces? */
 bool finish_lost_may_be(const SceneBuild *build, int index);
+
+/* Makes the triangle that is left of a quad two of whose vertices became one point. */
+void finish_lost_point(Face *face, int second);
 
 /* Leaves out the scene's faces that have no vertices. On failure the build has the face that may not be left out. */
 bool finish_lost_drop(SceneBuild *build);
