@@ -20,3 +20,9 @@ void *array_grown(void *items, int count, int *capacity, size_t size, const char
         *capacity = (int)larger;
     return moved;
 }
+
+void *array_aligned(size_t bytes)
+{
+    void *memory = NULL;
+    return posix_memalign(&memory, ARRAY_ALIGNMENT, bytes > 0 ? bytes : 1) == 0 ? memory : NULL;
+}

@@ -10,4 +10,10 @@
  * NULL with ERROR_SYSTEM when there is no memory, or no int, for them; the old array then stays as it was. */
 void *array_grown(void *items, int count, int *capacity, size_t size, const char *what, Error *error);
 
+enum { ARRAY_ALIGNMENT = 128 };
+
+/* Memory for `bytes` at an address that suits any vector instruction and any device, uninitialised; free() frees it.
+ * NULL without memory. */
+void *array_aligned(size_t bytes);
+
 #endif

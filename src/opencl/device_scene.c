@@ -1,6 +1,7 @@
 /* A scene as the kernels want it. Every value is computed in double and rounded once. */
 #include "opencl/device_scene.h"
 
+#include "base/array.h"
 #include "base/parallel.h"
 #include "scene/geometry.h"
 #include "trace/adaptive.h"
@@ -11,7 +12,7 @@
 #include <string.h>
 
 /* Fewer faces are packed sooner than threads start; a thread takes so many at a time. */
-enum { MIN_PARALLEL = 1 << 14, PIECE = 4096 };
+enum { MIN_PARALLEL = 1 << 14, PIECE = 4096, FEW_REALS = 1 << 16 };
 
 /* The longest path has its place on the device. */
 typedef char PathMaxIsTheScenes[PATH_MAX == SCENE_MAX_BOUNCES + 1 ? 1 : -1];
@@ -26,7 +27,9 @@ static bool reals_allocate(DeviceReals *reals, size_t rows, size_t row, Precisio
 {
     reals->precision = precision;
     reals->count = rows > 0 ? rows * row : 1;
-    reals->data = calloc(reals->count, precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float));
+    reals->data = array_aligned(device_reals_bytes(reals));
+    if (reals->data && row * rows <= FEW_REALS) /* rows of many faces are filled whole: their memory is touched once */
+        memset(reals->data, 0, device_reals_bytes(reals));
     return reals->data || error_memory(error, "the scene for the device");
 }
 
@@ -85,6 +88,7 @@ static void put_face(DeviceReals *rows, size_t row, const Face *face, const Plan
             put(rows, row + FACE_VERTICES + 4 * (size_t)axis + (size_t)k, (double)face->vertices[k][axis]);
     put_vec3(rows, row + FACE_NORMAL, plane->normal);
     uint32_t bits = face_bits(face, plane, closed);
+    put(rows, row + FACE_BITS, 0); /* half of a double stays */
     size_t real_size = rows->precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float);
     memcpy((char *)rows->data + (row + FACE_BITS) * real_size, &bits, sizeof bits);
 }
@@ -201,7 +205,7 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePack
 {
     *packed = (DeviceScene){0};
     size_t faces = (size_t)scene->face_count;
-    packed->faces = calloc(faces > 0 ? faces : 1, sizeof *packed->faces);
+    packed->faces = array_aligned((faces > 0 ? faces : 1) * sizeof *packed->faces);
     if (!packed->faces)
         return error_memory(error, "the faces for the device");
     if (!reals_allocate(&packed->face_rows, faces, FACE_REALS, how->precision, error) ||

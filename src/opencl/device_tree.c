@@ -1,6 +1,7 @@
 /* A tree as the kernels traverse it: two arrays. */
 #include "opencl/device_tree.h"
 
+#include "base/array.h"
 #include "base/parallel.h"
 #include "opencl/wide_cut.h"
 
@@ -108,8 +109,8 @@ static void collapse_piece(void *data, int i, int thread)
 
 static bool allocate(DeviceTree *tree, size_t floats, size_t ints, Error *error)
 {
-    tree->floats = malloc(floats * sizeof *tree->floats);
-    tree->ints = malloc(ints * sizeof *tree->ints);
+    tree->floats = array_aligned(floats * sizeof *tree->floats);
+    tree->ints = array_aligned(ints * sizeof *tree->ints);
     if (!tree->floats || !tree->ints)
         return error_memory(error, "the tree for the device");
     tree->float_count = floats;

@@ -220,18 +220,37 @@ void opencl_close(OpenclSession *session)
         clReleaseCommandQueue(session->queue);
     if (session->context)
         clReleaseContext(session->context);
+    for (int i = 0; i < session->taken_count; i++)
+        free(session->taken[i]);
     *session = (OpenclSession){0};
+}
+
+/* One that is freed with the session. */
+static cl_mem make_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, void *data, Error *error)
+{
+    cl_int status;
+    cl_mem buffer = clCreateBuffer(session->context, flags, bytes, data, &status);
+    if (!opencl_ok(error, status, "clCreateBuffer"))
+        return NULL;
+    session->buffers[session->buffer_count++] = buffer;
+    return buffer;
 }
 
 cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, const void *data, Error *error)
 {
-    cl_int status;
     if (data)
         flags |= CL_MEM_COPY_HOST_PTR;
-    cl_mem buffer = clCreateBuffer(session->context, flags, bytes, (void *)(size_t)data, &status);
-    if (!opencl_ok(error, status, "clCreateBuffer"))
-        return NULL;
-    session->buffers[session->buffer_count++] = buffer;
+    return make_buffer(session, flags, bytes, (void *)(size_t)data, error);
+}
+
+cl_mem opencl_take(OpenclSession *session, void *data, size_t bytes, Error *error)
+{
+    if (strcmp(session->info.type, "CPU") == 0) {
+        session->taken[session->taken_count++] = data;
+        return make_buffer(session, CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes, data, error);
+    }
+    cl_mem buffer = opencl_buffer(session, CL_MEM_READ_ONLY, bytes, data, error);
+    free(data);
     return buffer;
 }
 

@@ -35,6 +35,8 @@ typedef struct OpenclSession {
     bool from_source;   /* it was compiled in this run, not kept from an earlier one */
     cl_mem buffers[OPENCL_MAX_BUFFERS];
     int buffer_count;
+    void *taken[OPENCL_MAX_BUFFERS]; /* the memory of buffers that are no copies */
+    int taken_count;
 } OpenclSession;
 
 /* Opens the device of the settings and chooses its number of lanes; time and device go to the report. */
@@ -60,6 +62,10 @@ void opencl_close(OpenclSession *session);
 
 /* A buffer with a copy of `data`, or uninitialised where data is NULL; NULL with the error filled on failure. */
 cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, const void *data, Error *error);
+
+/* A buffer for reading that takes over `data`, which array_aligned gave, also where it fails. On a CPU the buffer is that
+ * memory, so that a large scene is not there twice; elsewhere it is a copy. */
+cl_mem opencl_take(OpenclSession *session, void *data, size_t bytes, Error *error);
 
 /* A kernel with its buffers as arguments, in order; the caller releases it. */
 cl_kernel opencl_kernel(OpenclSession *session, const char *name, const cl_mem *arguments, int count, Error *error);

@@ -26,16 +26,42 @@ Parameters opencl_parameters(const Scene *scene)
     };
 }
 
-/* A buffer for reading with `count` items; OpenCL has none of
+/* A buffer for reading that takes over `count` items; OpenCL has none of
  * zero bytes, so that nothing gets one item, of any value. */
-static cl_mem buffer_of(OpenclSession *session, const void *data, size_t count, size_t item, Error *error)
+static cl_mem buffer_of(OpenclSession *session, void *data, size_t count, size_t item, Error *error)
 {
-    return opencl_buffer(session, CL_MEM_READ_ONLY, (count > 0 ? count : 1) * item, count > 0 ? data : NULL, error);
+    if (count > 0)
+        return opencl_take(session, data, count * item, error);
+    free(data);
+    return opencl_buffer(session, CL_MEM_READ_ONLY, item, NULL, error);
 }
 
-static cl_mem buffer_of_reals(OpenclSession *session, const DeviceReals *reals, Error *error)
+static cl_mem buffer_of_reals(OpenclSession *session, DeviceReals *reals, Error *error)
 {
-    return buffer_of(session, reals->data, 1, device_reals_bytes(reals), error);
+    void *data = reals->data;
+    reals->data = NULL;
+    return opencl_take(session, data, device_reals_bytes(reals), error);
+}
+
+static cl_mem buffer_of_faces(OpenclSession *session, DeviceScene *packed, size_t count, Error *error)
+{
+    FaceRecord *faces = packed->faces;
+    packed->faces = NULL;
+    return buffer_of(session, faces, count, sizeof *faces, error);
+}
+
+static cl_mem buffer_of_floats(OpenclSession *session, DeviceTree *tree, Error *error)
+{
+    float *floats = tree->floats;
+    tree->floats = NULL;
+    return buffer_of(session, floats, tree->float_count, sizeof *floats, error);
+}
+
+static cl_mem buffer_of_ints(OpenclSession *session, DeviceTree *tree, Error *error)
+{
+    int *ints = tree->ints;
+    tree->ints = NULL;
+    return buffer_of(session, ints, tree->int_count, sizeof *ints, error);
 }
 
 /* A scene on its way to a device, and what the host makes of it. */
@@ -70,6 +96,8 @@ static bool build_tree(const OpenclSession *session, Preparation *made, RenderRe
         kind = ACCEL_BVH;
     bool ok = accel_build(&made->accel, made->scene, kind, settings->threads, error) &&
               device_tree_pack(&made->tree, &made->accel, &plan, error);
+    free(made->accel.bvh.nodes); /* the device's tree has replaced them: of a large scene they are much memory */
+    made->accel.bvh.nodes = NULL;
     report->skipped[SKIP_TREE] = ok && no_tree && made->accel.kind == ACCEL_NONE;
     report->build_ms = clock_ms() - start;
     return ok;
@@ -83,12 +111,12 @@ static uint64_t device_bytes(const Scene *scene, const DeviceScene *packed, cons
            tree->int_count * sizeof(int);
 }
 
-static bool upload(OpenclSession *session, const Preparation *made, SceneOnDevice *on_device, RenderReport *report,
+static bool upload(OpenclSession *session, Preparation *made, SceneOnDevice *on_device, RenderReport *report,
                    Error *error)
 {
     double start = clock_ms();
     DeviceScene packed;
-    const DeviceTree *tree = &made->tree;
+    DeviceTree *tree = &made->tree;
     size_t faces = (size_t)made->scene->face_count;
     DevicePacking how = {.order = made->accel.bvh.order,
                          .closed = made->closed,
@@ -97,16 +125,16 @@ static bool upload(OpenclSession *session, const Preparation *made, SceneOnDevic
                          .threads = made->settings->threads};
     bool ok =
         device_scene_pack(&packed, made->scene, &how, error) &&
-        (on_device->parameters = buffer_of(session, NULL, 0, sizeof(Parameters), error)) &&
-        (on_device->faces = buffer_of(session, packed.faces, faces, sizeof(FaceRecord), error)) &&
+        (on_device->parameters = opencl_buffer(session, CL_MEM_READ_ONLY, sizeof(Parameters), NULL, error)) &&
+        (on_device->faces = buffer_of_faces(session, &packed, faces, error)) &&
         (on_device->face_rows = buffer_of_reals(session, &packed.face_rows, error)) &&
         (on_device->planes = buffer_of_reals(session, &packed.planes, error)) &&
         (on_device->materials = buffer_of_reals(session, &packed.materials, error)) &&
         (on_device->lights = buffer_of_reals(session, &packed.lights, error)) &&
         (on_device->view = buffer_of_reals(session, &packed.view, error)) &&
         (on_device->counters = opencl_buffer(session, CL_MEM_READ_WRITE, COUNTERS * sizeof(cl_uint), NULL, error)) &&
-        (on_device->tree_floats = buffer_of(session, tree->floats, tree->float_count, sizeof(float), error)) &&
-        (on_device->tree_ints = buffer_of(session, tree->ints, tree->int_count, sizeof(int), error));
+        (on_device->tree_floats = buffer_of_floats(session, tree, error)) &&
+        (on_device->tree_ints = buffer_of_ints(session, tree, error));
     report->device_bytes = device_bytes(made->scene, &packed, tree);
     device_scene_free(&packed);
     report->upload_ms += clock_ms() - start;

@@ -25,12 +25,14 @@ static uintptr_t own_begin, own_end; /* the program's code */
 static void *(*real_malloc)(size_t);
 static void *(*real_calloc)(size_t, size_t);
 static void *(*real_realloc)(void *, size_t);
+static int (*real_memalign)(void **, size_t, size_t);
 static void (*real_free)(void *);
 
 static void find_real(void)
 {
     *(void **)&real_calloc = dlsym(RTLD_NEXT, "calloc");
     *(void **)&real_realloc = dlsym(RTLD_NEXT, "realloc");
+    *(void **)&real_memalign = dlsym(RTLD_NEXT, "posix_memalign");
     *(void **)&real_free = dlsym(RTLD_NEXT, "free");
     *(void **)&real_malloc = dlsym(RTLD_NEXT, "malloc");
 }
@@ -79,6 +81,18 @@ void *realloc(void *block, size_t size)
         return NULL;
     void *moved = real_realloc(block, size);
     return block ? moved : noted(moved);
+}
+
+int posix_memalign(void **block, size_t alignment, size_t size)
+{
+    if (!real_malloc)
+        find_real();
+    if (fails(__builtin_return_address(0)))
+        return ENOMEM;
+    int status = real_memalign(block, alignment, size);
+    if (status == 0)
+        noted(*block);
+    return status;
 }
 
 void free(void *block)
