@@ -96,7 +96,15 @@ static Precision precision_of(const Options *options)
     return must_be_double ? PRECISION_DOUBLE : options->settings.precision;
 }
 
-static bool trace(const Options *options, const Scene *scene, Painter *painter, RenderReport *report, Error *error)
+/* The scene's planes are not needed any more. */
+static void free_planes(void *user)
+{
+    Scene *scene = user;
+    free(scene->planes);
+    scene->planes = NULL;
+}
+
+static bool trace(const Options *options, Scene *scene, Painter *painter, RenderReport *report, Error *error)
 {
     BandSink sink = {paint_band, painter};
     painter->rows = scene->screen.rows;
@@ -106,6 +114,8 @@ static bool trace(const Options *options, const Scene *scene, Painter *painter, 
     settings.precision = precision_of(options);
     settings.linear = painter->linear;
     settings.notice = (Notice){show_notice, tell_foreseen, painter};
+    if (options->map_count == 0) /* maps are drawn from the scene */
+        settings.spent = (Spent){free_planes, scene};
     bool done = backend_render(options->backend, scene, &settings, sink, report, error);
     progress_end(&painter->progress);
     return done;
@@ -174,7 +184,7 @@ static bool keep_linear(Painter *painter, const Scene *scene, Error *error)
 /* --- The way from the scene to the file --- */
 
 /* The picture of a painter whose writer is open. */
-static bool paint(const Options *options, const Scene *scene, ImageKind kind, Painter *painter, RenderReport *report,
+static bool paint(const Options *options, Scene *scene, ImageKind kind, Painter *painter, RenderReport *report,
                   Error *error)
 {
     bool linear = kind.format == IMAGE_PFM || kind.depth == 16;
@@ -189,7 +199,7 @@ static bool paint(const Options *options, const Scene *scene, ImageKind kind, Pa
 }
 
 /* Traces the scene into the file `output`. */
-static bool render(const Options *options, const Scene *scene, const char *output, Stats *stats, Error *error)
+static bool render(const Options *options, Scene *scene, const char *output, Stats *stats, Error *error)
 {
     ImageKind kind;
     if (!choose_kind(options, output, &kind, error))
@@ -212,7 +222,7 @@ static bool render(const Options *options, const Scene *scene, const char *outpu
     return done;
 }
 
-static bool render_scene(const Options *options, const Scene *scene, Stats *stats, double start_ms, Error *error)
+static bool render_scene(const Options *options, Scene *scene, Stats *stats, double start_ms, Error *error)
 {
     char *output = options->output ? text_copy(options->output, error) : default_output(options->operands[0], error);
     bool to_stdout = output && strcmp(output, "-") == 0;

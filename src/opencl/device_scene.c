@@ -113,20 +113,29 @@ static bool is_flat(const Face *face)
     return false;
 }
 
-/* Puts face `index` of the scene at place i. */
+/* The normal of the face at place i: from its packed plane where that has all of it. */
+static Plane normal_of(const DeviceScene *packed, const Scene *scene, int index, int i)
+{
+    const double *row = (const double *)packed->planes.data + (size_t)i * PLANE_REALS + PLANE_NORMAL;
+    if (packed->planes.precision == PRECISION_DOUBLE)
+        return (Plane){.normal = vec3(row[0], row[1], row[2])};
+    return (Plane){.normal = scene->planes[index].normal};
+}
+
+/* Puts face `index` of the scene, whose plane is packed, at place i. */
 static void pack_face(DeviceScene *packed, const Scene *scene, const unsigned char *closed, int index, int i)
 {
     const Face *face = &scene->faces[index];
+    const Plane plane = normal_of(packed, scene, index, i);
     FaceRecord *record = &packed->faces[i];
     record->material = face->material | (is_flat(face) ? FACE_FLAT : 0);
     record->index = index;
-    Box box = face_box(face, &scene->planes[index]);
+    Box box = face_box(face, &plane);
     for (int axis = 0; axis < 3; axis++) {
         record->box[2 * axis] = box.low[axis];
         record->box[2 * axis + 1] = box.high[axis];
     }
-    put_face(&packed->face_rows, (size_t)i * FACE_REALS, face, &scene->planes[index], closed && closed[index]);
-    put_plane(&packed->planes, (size_t)i * PLANE_REALS, &scene->planes[index]);
+    put_face(&packed->face_rows, (size_t)i * FACE_REALS, face, &plane, closed && closed[index]);
 }
 
 static void pack_light(DeviceReals *lights, size_t row, const Light *light)
@@ -191,14 +200,39 @@ typedef struct Packing {
     const DevicePacking *how;
 } Packing;
 
+static int end_of(const Packing *packing, int piece)
+{
+    int count = packing->scene->face_count, first = piece * PIECE;
+    return count - first < PIECE ? count : first + PIECE;
+}
+
+static void pack_planes(void *data, int piece, int thread)
+{
+    const Packing *packing = data;
+    const int *order = packing->how->order;
+    (void)thread;
+    for (int i = piece * PIECE, end = end_of(packing, piece); i < end; i++)
+        put_plane(&packing->packed->planes, (size_t)i * PLANE_REALS, &packing->scene->planes[order ? order[i] : i]);
+}
+
 static void pack_piece(void *data, int piece, int thread)
 {
     const Packing *packing = data;
     const int *order = packing->how->order;
-    int count = packing->scene->face_count, first = piece * PIECE, end = count - first < PIECE ? count : first + PIECE;
     (void)thread;
-    for (int i = first; i < end; i++)
+    for (int i = piece * PIECE, end = end_of(packing, piece); i < end; i++)
         pack_face(packing->packed, packing->scene, packing->how->closed, order ? order[i] : i, i);
+}
+
+/* The planes first: where the rest is made of the packed ones, the scene's are spent before its memory is touched. */
+static void pack_faces(Packing *packing)
+{
+    int count = packing->scene->face_count, pieces = count / PIECE + (count % PIECE > 0);
+    int threads = count < MIN_PARALLEL ? 1 : packing->how->threads;
+    parallel_for(threads, pieces, pack_planes, packing);
+    if (packing->packed->planes.precision == PRECISION_DOUBLE && packing->how->spent.planes)
+        packing->how->spent.planes(packing->how->spent.user);
+    parallel_for(threads, pieces, pack_piece, packing);
 }
 
 bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePacking *how, Error *error)
@@ -216,8 +250,7 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePack
         return false;
 
     Packing packing = {packed, scene, how};
-    int pieces = (int)((faces + PIECE - 1) / PIECE);
-    parallel_for(scene->face_count < MIN_PARALLEL ? 1 : how->threads, pieces, pack_piece, &packing);
+    pack_faces(&packing);
     for (int i = 0; i < scene->light_count; i++)
         pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
     for (int i = 0; i < scene->material_count; i++)

@@ -27,6 +27,7 @@ typedef struct DevicePacking {
     const unsigned char *closed; /* by skip_closed_boxes; NULL: no face is a closed box's */
     Precision precision, wide;   /* wide: of the planes */
     int threads;                 /* 0: one per processor */
+    Spent spent;                 /* told where the planes are packed in double, from which all else is then made */
 } DevicePacking;
 
 /* Packs the scene; device_scene_free frees the copy, also after a failure. */

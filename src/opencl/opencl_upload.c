@@ -122,7 +122,8 @@ static bool upload(OpenclSession *session, Preparation *made, SceneOnDevice *on_
                          .closed = made->closed,
                          .precision = session->precision,
                          .wide = session->wide_is_double ? PRECISION_DOUBLE : PRECISION_FLOAT,
-                         .threads = made->settings->threads};
+                         .threads = made->settings->threads,
+                         .spent = made->settings->spent};
     bool ok =
         device_scene_pack(&packed, made->scene, &how, error) &&
         (on_device->parameters = opencl_buffer(session, CL_MEM_READ_ONLY, sizeof(Parameters), NULL, error)) &&

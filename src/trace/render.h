@@ -45,6 +45,13 @@ typedef struct Notice {
     void *user;
 } Notice;
 
+/* Called once nothing will ask for the planes of the scene's faces again, which are a fifth of a large scene's memory.
+ * Who gives it is free to free them then. */
+typedef struct Spent {
+    void (*planes)(void *user); /* NULL: they are to stay */
+    void *user;
+} Spent;
+
 typedef struct RenderSettings {
     Precision precision; /* of the kernel and of textbook arithmetic; the reference is double otherwise */
     KernelKind kernel;
@@ -56,6 +63,7 @@ typedef struct RenderSettings {
     int lanes;        /* rays per work-item: 1, 4, 8 or 16; 0: what suits the device */
     unsigned no_skip; /* bit SKIP_...: that work is done although the scene does not need it */
     Notice notice;
+    Spent spent;
     double *linear; /* rows * columns * 3 colours, which a backend fills before they are clamped; NULL: not wanted */
 } RenderSettings;
 
