@@ -177,6 +177,14 @@ class Render(CommandTest):
         self.assertEqual(json.loads(err)["faces"], 2)
         self.assertIn(b"primary rays", self.render("--stats")[0])
 
+    def test_memory_is_told_beforehand(self):
+        self.run_program("generate", "city", "--size", "20000", "-o", "city.json")
+        words = ["render", "city.json", "--size", "64x48", "-q", "-o", "a.png", "--stats=json"]
+        self.run_program(*words) # compiling a kernel takes memory, too
+        taken = json.loads(self.run_program(*words)[0])["peak_memory_bytes"]
+        told = json.loads(self.run_program("check", "--json", "city.json")[0])["needs"]["memory_bytes"]
+        self.assertLess(abs(taken - told), 0.3 * told)
+
     def test_work_that_may_be_skipped_is_done_on_demand(self):
         some, none = (json.loads(self.run_program("render", "scene.json", "-o", "a.png", "--stats=json", *words)[0])
                       for words in ([], ["--no-skip", "all"]))

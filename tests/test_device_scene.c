@@ -191,11 +191,49 @@ static void scene_of_nothing_should_pack(void)
     TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.planes));
 }
 
+/* Spoils the planes: nothing that is packed later may be made of them. */
+static void spoil_planes(void *user)
+{
+    Scene *scene = user;
+    for (int i = 0; i < scene->face_count; i++)
+        scene->planes[i] = (Plane){.normal = vec3(NAN, NAN, NAN)};
+}
+
+static void planes_should_be_spent_when_they_are_packed(void)
+{
+    DeviceScene whole;
+    DevicePacking how = {.precision = PRECISION_FLOAT, .wide = PRECISION_DOUBLE, .threads = 1};
+    small_scene_material(&small, (Material){.reflection = 0});
+    small_scene_face(&small, 0, face_triangle(vec3(6, 0, 0), vec3(0, 3, -7), vec3(1, 2, 3)));
+    small_scene_face(&small, 0, face_triangle(vec3(6, 1, 0), vec3(0, 3, 7), vec3(1, -2, 3)));
+    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&whole, &small.scene, &how, &error), error.text);
+    how.spent = (Spent){spoil_planes, &small.scene};
+    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, &how, &error), error.text);
+    TEST_ASSERT_TRUE(isnan(small.scene.planes[1].normal.x));
+    TEST_ASSERT_EQUAL_MEMORY(whole.faces, packed.faces, 2 * sizeof *packed.faces);
+    TEST_ASSERT_EQUAL_MEMORY(whole.face_rows.data, packed.face_rows.data, device_reals_bytes(&packed.face_rows));
+    TEST_ASSERT_EQUAL_MEMORY(whole.planes.data, packed.planes.data, device_reals_bytes(&packed.planes));
+    device_scene_free(&whole);
+}
+
+/* In float the packed planes have not all of the normals, from which boxes and bits are made. */
+static void planes_of_floats_should_not_be_spent(void)
+{
+    small_scene_material(&small, (Material){.reflection = 0});
+    small_scene_face(&small, 0, face_triangle(vec3(6, 0, 0), vec3(0, 3, -7), vec3(1, 2, 3)));
+    DevicePacking how = {
+        .precision = PRECISION_FLOAT, .wide = PRECISION_FLOAT, .threads = 1, .spent = {spoil_planes, &small.scene}};
+    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, &how, &error), error.text);
+    TEST_ASSERT_FALSE(isnan(small.scene.planes[0].normal.x));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(light_position_should_travel_in_two_floats);
     RUN_TEST(normal_should_travel_in_two_floats_within_its_error);
+    RUN_TEST(planes_should_be_spent_when_they_are_packed);
+    RUN_TEST(planes_of_floats_should_not_be_spent);
     RUN_TEST(face_bits_should_bound_edges_and_warp);
     RUN_TEST(face_bits_should_tell_what_a_face_is);
     RUN_TEST(face_row_should_hold_the_vertices_as_they_are);

@@ -1,5 +1,6 @@
 /* What `rectray check` tells, as one JSON document: docs/check.schema.json. */
 #include "command/check_report.h"
+#include "opencl/device_scene.h"
 #include "json/json_node.h"
 
 #include <math.h>
@@ -53,6 +54,7 @@ static void add_needs(JsonNode node, const CheckReport *report)
     json_node_number(node, "primary_rays_estimated_from", report->primary_tried);
     json_node_number(node, "shadow_rays_of_a_point", survey->shadow_rays ? scene->light_count : 0);
     json_node_number(node, "reflections_of_a_ray", survey->reflections ? scene->shading.max_bounces : 0);
+    json_node_number(node, "memory_bytes", round(device_scene_process_bytes(scene->face_count)));
 }
 
 static void add_skippable(JsonNode node, const CheckReport *report)

@@ -1,6 +1,7 @@
 /* What `rectray check` tells of a valid scene, as text. */
 #include "base/text.h"
 #include "command/check_report.h"
+#include "opencl/device_scene.h"
 #include "trace/adaptive.h"
 #include "trace/reference_render.h"
 #include "trace/skip.h"
@@ -70,6 +71,8 @@ static void print_needs(const CheckReport *report)
         printf("  shadow rays   at most %d for each point that is hit\n", scene->light_count);
     if (survey->reflections)
         printf("  reflections   at most %d for each primary ray\n", scene->shading.max_bounces);
+    printf("  memory        about %.0f MiB to render it on a CPU\n",
+           device_scene_process_bytes(scene->face_count) / 1048576);
 }
 
 /* --- What can be skipped --- */

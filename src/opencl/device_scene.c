@@ -33,6 +33,14 @@ static bool reals_allocate(DeviceReals *reals, size_t rows, size_t row, Precisio
     return reals->data || error_memory(error, "the scene for the device");
 }
 
+double device_scene_process_bytes(int face_count)
+{
+    /* What a driver takes for itself; of a face the share in the tree and in the arrays that lead to it. */
+    const double driver = 80e6, tree = 72;
+    double packed = sizeof(FaceRecord) + FACE_REALS * sizeof(float) + PLANE_REALS * sizeof(double);
+    return driver + face_count * (sizeof(Face) + packed + tree);
+}
+
 static void put(DeviceReals *reals, size_t index, double value)
 {
     if (reals->precision == PRECISION_DOUBLE)

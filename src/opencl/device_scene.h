@@ -34,6 +34,9 @@ typedef struct DevicePacking {
 bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePacking *how, Error *error);
 void device_scene_free(DeviceScene *packed);
 
+/* About how much memory a process takes at most that renders so many faces through OpenCL, with a kept kernel. */
+double device_scene_process_bytes(int face_count);
+
 size_t device_reals_bytes(const DeviceReals *reals);
 
 #endif
