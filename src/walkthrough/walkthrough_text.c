@@ -54,6 +54,8 @@ static void print_shaded(WalkthroughText *text, const Event *event)
     walkthrough_text_step(text, STEP_ADDS, ink_text("What P%d adds to the pixel", number).text);
     if (event->as.shaded.lights_reaching == 0)
         ink_line(&text->ink, "    No light reaches P%d.", number);
+    if (text->walk->scene->light_count > 1)
+        ink_line(&text->ink, "    illumination          = the sum of I over the lights");
     ink_line(&text->ink, "    weight x illumination = %s x %s\t= %s", ink_number(event->as.shaded.weight, 6).text,
              ink_vector(event->as.shaded.illumination, 6).text, ink_vector(event->as.shaded.contribution, 6).text);
     if (number > 1)

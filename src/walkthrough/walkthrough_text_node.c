@@ -7,20 +7,27 @@
 
 enum { NODES_LISTED = 48, LEVELS_INDENTED = 12 };
 
+static const char *is_or_are(int count)
+{
+    return count == 1 ? "is" : "are";
+}
+
 void walkthrough_text_nodes(const WalkthroughText *text, const Event *tally)
 {
     const int *counts = tally->as.tally.nodes;
     int told = 0;
     char line[1024];
-    size_t used = (size_t)snprintf(line, sizeof line, "    Of %d tree nodes whose boxes are tested, %d are missed",
-                                   tally->as.tally.nodes_met, counts[NODE_MISSED]);
+    size_t used = (size_t)snprintf(line, sizeof line, "    Of %d tree nodes whose boxes are tested, %d %s missed",
+                                   tally->as.tally.nodes_met, counts[NODE_MISSED], is_or_are(counts[NODE_MISSED]));
     if (counts[NODE_BEYOND] > 0)
-        used += (size_t)snprintf(line + used, sizeof line - used, ", %d begin beyond %s", counts[NODE_BEYOND],
+        used += (size_t)snprintf(line + used, sizeof line - used, ", %d begin%s beyond %s", counts[NODE_BEYOND],
+                                 counts[NODE_BEYOND] == 1 ? "s" : "",
                                  tally->as.tally.shadow ? "the light" : "the nearest hit");
     if (counts[NODE_UNNEEDED] > 0)
-        used +=
-            (size_t)snprintf(line + used, sizeof line - used, ", %d are not needed any more", counts[NODE_UNNEEDED]);
-    used += (size_t)snprintf(line + used, sizeof line - used, ", %d are entered", counts[NODE_ENTERED]);
+        used += (size_t)snprintf(line + used, sizeof line - used, ", %d %s not needed any more", counts[NODE_UNNEEDED],
+                                 is_or_are(counts[NODE_UNNEEDED]));
+    used += (size_t)snprintf(line + used, sizeof line - used, ", %d %s entered", counts[NODE_ENTERED],
+                             is_or_are(counts[NODE_ENTERED]));
     for (const Event *event = tally + 1;
          event->kind == EVENT_NODE || event->kind == EVENT_FACE || event->kind == EVENT_OCCLUDER; event++) {
         if (event->kind != EVENT_NODE || event->as.node.visit.verdict != NODE_ENTERED || told == NODES_LISTED)
