@@ -148,20 +148,22 @@ class Drawings(unittest.TestCase):
     def test_each_is_what_its_script_draws(self):
         import algorithm
         import drawing
-        for name, draw in algorithm.DRAWINGS.items():
-            with self.subTest(name):
-                path = drawing.path_of("algorithm", name)
-                self.assertEqual(read(path), draw().svg(), f"`python3 docs/plots/algorithm.py` renews {path}")
+        import trees
+        for page, drawings in (("algorithm", algorithm.DRAWINGS), ("trees", trees.DRAWINGS)):
+            for name, draw in drawings.items():
+                with self.subTest(name):
+                    path = drawing.path_of(page, name)
+                    self.assertEqual(read(path), draw().svg(), f"`python3 docs/plots/{page}.py` renews {path}")
 
     def test_each_is_on_its_page_and_small(self):
-        for page in ("algorithm", "kernels"):
+        for page, least, bytes_most in (("algorithm", 6, 8192), ("kernels", 6, 8192), ("trees", 3, 16384)):
             shown = set(links_of(f"docs/{page}.md"))
             drawn = glob.glob(f"docs/images/{page}-*.svg")
-            self.assertGreater(len(drawn), 5)
+            self.assertGreaterEqual(len(drawn), least)
             for path in drawn:
                 with self.subTest(path):
                     self.assertIn(os.path.relpath(path, "docs"), shown)
-                    self.assertLess(os.path.getsize(path), 8192)
+                    self.assertLess(os.path.getsize(path), bytes_most)
 
 
 if __name__ == "__main__":

@@ -345,8 +345,8 @@ class Drawings(CommandTest):
             column = int(re.search(r"Pixel \((\d+)", svg)[1])
             self.assertLess(column, 4)
             titles = [e.text for e in root.iter("{http://www.w3.org/2000/svg}text") if e.get("class") == "title"]
-            if "seen from the front" in titles:
-                self.assertLess(labels["P1"], labels["C"])
+            self.assertIn(titles[0], ("seen from above", "seen from the front"))
+            self.assertLess(labels["P1"], labels["C"])
 
     def test_the_svg_shows_leaving_rays_lights_and_close_hits(self):
         original = os.path.join(HERE, "scenes/original.json")
@@ -607,6 +607,20 @@ class Options(CommandTest):
             self.assertLessEqual(widest(out), columns)
         out, _ = self.run_program("trace", "scene.json", "--pixel", "4,3", "--width", "79", status=2)
 
+    def test_the_summary_says_of_each_light_what_the_events_do(self):
+        for name, pixels in (("cornell", ("238,370", "162,441")), ("gallery", ("900,380", "766,423"))):
+            for pixel in pixels:
+                scene = os.path.join(HERE, f"scenes/{name}.json")
+                document = json.loads(self.run_program("trace", scene, "--pixel", pixel, "-f", "json")[0])
+                ends = [event for event in document["events"] if event["event"] == "light end"]
+                said = [light for hit in document["summary"]["hits"] for light in hit["lights"]]
+                self.assertEqual([(light["light"], light["verdict"]) for light in said],
+                                 [(end["light"], end["verdict"]) for end in ends])
+                faces = [light["blocker"] for light in said if light["verdict"] == "blocked"]
+                self.assertEqual(faces, [f"{end['object']}/{end['face_in_object']}" for end in ends
+                                         if end["verdict"] == "blocked"])
+                self.assertTrue(faces)
+
     def test_no_word_of_a_real_scene_is_broken_at_any_width(self):
         """The words of 80, 100 and 120 columns are those of 160. Names in tables may be cut, and then end in dots."""
         def words_of(text):
@@ -670,8 +684,9 @@ class Choosing(CommandTest):
 
     def test_a_blocked_light_a_mirror_and_the_dark_are_found(self):
         small = ("--size", "160x90", "--sampling", "uniform:1")
-        summary = self.found("--light-blocked", "0", *small)
-        self.assertEqual(summary["hits"][0]["lights"][0]["verdict"], "blocked")
+        for light in range(3):
+            summary = self.found("--light-blocked", str(light), *small)
+            self.assertEqual(summary["hits"][0]["lights"][light]["verdict"], "blocked")
         self.assertGreaterEqual(len(self.found("--mirror-depth", "2", *small)["hits"]), 3)
         both = self.found("--light-blocked", "0", "--mirror-depth", "2", *small)
         self.assertEqual(both["hits"][0]["lights"][0]["verdict"], "blocked")
