@@ -311,6 +311,8 @@ class Drawings(CommandTest):
                 self.assertEqual(root.tag, name + "svg")
                 titles = [e.text for e in root.iter(name + "text") if e.get("class") == "title"]
                 self.assertEqual(len(set(titles)), 3)
+                ticks = [e.text for e in root.iter(name + "text") if e.get("class") == "tick"]
+                self.assertTrue(all(a != b for a, b in zip(ticks, ticks[1:])), ticks)  # also far from the origin
                 self.assertTrue(all(title.startswith("seen from") for title in titles[:2]))
                 self.assertTrue(titles[2].startswith("the picture on its screen"))
                 labels = [e.text for e in root.iter(name + "text") if e.get("class") == "label"]

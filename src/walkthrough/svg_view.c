@@ -60,20 +60,27 @@ static double round_step(double at_least)
     return (m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10) * power;
 }
 
+/* Far from the origin the numbers need more digits, so that no two are the same. */
+static int digits_of(double value, double step)
+{
+    double digits = value == 0 ? 0 : ceil(log10(fabs(value) / step)) + 1;
+    return digits > 17 ? 17 : digits > 6 ? (int)digits : 6;
+}
+
 /* A line of the grid with its number: `along` is its place along the axis, on the paper. */
-static void draw_tick(const SvgView *view, bool vertical, double along, double value)
+static void draw_tick(const SvgView *view, bool vertical, double along, double value, int digits)
 {
     const SvgBox *box = &view->box;
     if (vertical)
         fprintf(view->out,
                 "<path class='grid' d='M%.1f %.1fV%.1f'/><text class='tick' x='%.1f' y='%.1f' "
-                "text-anchor='middle'>%g</text>\n",
-                along, box->top, box->bottom, along, box->bottom + 14, value);
+                "text-anchor='middle'>%.*g</text>\n",
+                along, box->top, box->bottom, along, box->bottom + 14, digits, value);
     else
         fprintf(view->out,
                 "<path class='grid' d='M%.1f %.1fH%.1f'/><text class='tick' x='%.1f' y='%.1f' "
-                "text-anchor='end'>%g</text>\n",
-                box->left, along, box->right, box->left - 5, along + 4, value);
+                "text-anchor='end'>%.*g</text>\n",
+                box->left, along, box->right, box->left - 5, along + 4, digits, value);
 }
 
 /* Whether the numbers of an axis become smaller to the right (that whose lines are vertical) or upwards. */
@@ -95,7 +102,8 @@ static void draw_axis(const SvgView *view, bool vertical)
     for (int k = 0; first + k * step <= start + length; k++) {
         double pixels = (first + k * step - start) * view->scale;
         double value = round(first / step + k) * step * (flipped ? -1 : 1);
-        draw_tick(view, vertical, vertical ? box->left + pixels : box->bottom - pixels, value == 0 ? 0 : value);
+        draw_tick(view, vertical, vertical ? box->left + pixels : box->bottom - pixels, value == 0 ? 0 : value,
+                  digits_of(value, step));
     }
 }
 
