@@ -6,6 +6,7 @@ import os
 import re
 import shlex
 import subprocess
+import tempfile
 import unittest
 import xml.etree.ElementTree
 
@@ -151,6 +152,35 @@ class Chapter(unittest.TestCase):
                 if line != "..." and " ms" not in line:
                     with self.subTest(command):
                         self.assertIn(line, printed.splitlines())
+
+    def test_its_tests_per_ray_are_those_of_the_statistics(self):
+        """Of the scenes that are quick: those of scenes/, and two that are generated."""
+        with open("docs/trees.md", encoding="utf-8") as file:
+            table = file.read().split("tests per ray:")[1].split("\n\n")[0]
+        rows = {row[1]: row[2:-1] for row in (re.split(r" *\| *", line) for line in table.splitlines()[3:])}
+        generated = {"menger-2": ("menger", "2"), "city-1k": ("city", "1000")}
+        checked = [*(name for name in rows if os.path.exists(f"scenes/{name}.json")), *generated]
+        self.assertEqual(len(checked), 6)
+        with tempfile.TemporaryDirectory() as folder:
+            for name in checked:
+                scene = f"scenes/{name}.json"
+                if name in generated:
+                    kind, size = generated[name]
+                    scene = f"{folder}/{name}.json"
+                    subprocess.run([PROGRAM, "generate", kind, "--size", size, "-o", scene], check=True)
+                trees = [self.per_ray(scene, accel) for accel in ("kdtree", "bvh")]
+                self.assertEqual(rows[name][2:], [f"{count:.2f}" for tree in trees for count in tree], name)
+                if name not in generated:
+                    self.assertEqual(rows[name][1], f"{self.per_ray(scene, 'none', '80x45')[1]:.2f}", name)
+
+    @staticmethod
+    def per_ray(scene, accel, size="480x270"):
+        """Boxes and faces tested for each ray."""
+        words = ("-b", "reference", "--grid", "1", "--size", size, "--accel", accel, "--stats", "-q", "-o", "/dev/null")
+        stats = subprocess.run([PROGRAM, "render", scene, *words], capture_output=True, encoding="utf-8", check=True)
+        counts = {label: int(count) for label, count in re.findall(r"(?m)^(\w+ \w+) +(\d+)$", stats.stdout)}
+        rays = counts["primary rays"] + counts["shadow rays"] + counts["reflected rays"]
+        return counts["box tests"] / rays, counts["face tests"] / rays
 
 
 if __name__ == "__main__":
