@@ -6,7 +6,8 @@ PAGE       := build/rectray.html
 CJSON_DIR  ?= build/cjson
 
 # The folders of src/ that the module is made of, without what needs processes, signals or libpng.
-PAGE_LEAVES  := %/process.c %/interrupt.c %/output.c %/generate.c %/generate_menger.c %/explore.c %/explore_files.c
+PAGE_LEAVES  := %/process.c %/interrupt.c %/output.c %/watch.c %/generate.c %/generate_menger.c %/explore.c \
+    %/explore_files.c
 PAGE_FOLDERS := base json scene reader trace walkthrough page
 PAGE_SOURCES := $(filter-out $(PAGE_LEAVES),$(wildcard $(PAGE_FOLDERS:%=src/%/*.c))) \
     src/picture/map.c src/picture/heat.c
