@@ -202,12 +202,15 @@ class Error(BenchTest):
     """Time against error: what must hold whatever the times."""
 
     SCENE = os.path.join(os.path.dirname(SCENE), "many_lights.json")
+    LESSON = os.path.join(os.path.dirname(SCENE), "..", "..", "scenes", "lessons", "camera_in_the_plane.json")
     MARKS = ("<!-- bench error: made by `make bench-error`, from here -->\n", "<!-- bench error: to here -->\n")
 
     def setUp(self):
         super().setUp()
         page = self.write_page("before\n" + self.MARKS[0] + "stale\n" + self.MARKS[1] + "after\n")
-        self.bench("error", self.SCENE, "--folder", "files", "-o", page)
+        self.bench("error", self.SCENE, self.LESSON, "--folder", "files", "-o", page)
+        with open(os.path.join(self.folder.name, "files", "arithmetic.csv"), newline="") as file:
+            self.arithmetic = {(row["scene"], row["choice"]): row for row in csv.DictReader(file)}
         with open(os.path.join(self.folder.name, "files", "error-many_lights.csv"), newline="") as file:
             self.rows = {row["choice"]: row for row in csv.DictReader(file)}
         self.page = self.read(page)
@@ -224,6 +227,13 @@ class Error(BenchTest):
                     if grid > 1:
                         self.assertLessEqual(int(self.rows[f"{way}, adaptive {grid}"]["primary"]),
                                              48 * (max(4 * grid, grid * grid // 2) + 1))
+            for way in ("textbook", "exact"):
+                for precision in ("float", "double"):
+                    for grid in (1, 2, 4, 8):
+                        row = self.rows[f"plain/{way}/{precision}, grid {grid}"]
+                        self.assertEqual((row["kernel"], row["arithmetic"], row["precision"]),
+                                         ("plain", way, precision))
+                        self.assertEqual(int(row["primary"]), 48 * grid * grid)
             for more in ("0 bounces", "accel none", "accel kdtree", "accel bvh"):
                 self.assertIn(f"float, grid 4, {more}", self.rows)
         with self.subTest("the double kernel is as far from the truth as the reference, float hardly farther"):
@@ -258,8 +268,25 @@ class Error(BenchTest):
             self.assertNotIn("stale", self.page)
             for name in self.rows:
                 self.assertIn(f"| {name} |", self.page)
+        with self.subTest("the plain kernel is as far from the truth as packets are"):
+            for grid in (1, 2, 4, 8):
+                exact = self.rmse(f"reference, grid {grid}")
+                self.assertAlmostEqual(self.rmse(f"plain/exact/double, grid {grid}"), exact, delta=1e-6 * exact)
+                self.assertAlmostEqual(self.rmse(f"plain/exact/float, grid {grid}"), exact, delta=1e-3 * exact)
+        with self.subTest("what exact arithmetic buys: a lesson's fault, in either precision"):
+            ways = ["plain/textbook/float", "plain/exact/float", "plain/textbook/double", "plain/exact/double",
+                    "packet/exact/float", "packet/exact/double"]
+            for scene in ("many_lights", "camera_in_the_plane"):
+                rows = [self.arithmetic[scene, way] for way in ways]
+                off = [int(row["pixels_off"]) for row in rows]
+                fault = scene == "camera_in_the_plane"
+                self.assertEqual([count > 0 for count in off], [fault, False, fault, False, False, False])
+                self.assertEqual([float(row["rmse"]) > 1e-3 for row in rows], [count > 0 for count in off])
+                self.assertLess(float(rows[3]["rmse"]), 1e-15)
+                self.assertRegex(self.page, rf"(?m)^\| {scene} \| 8 x 6 \| [\d.]+ \| [\d.]+ \| [\d.]+ \|")
         with self.subTest("what it sweeps itself is not asked for"):
-            self.assertIn("measures both", self.bench("error", self.SCENE, "-p", "float", status=2).stderr)
+            for words in (("-p", "float"), ("--kernel", "plain"), ("--arithmetic", "textbook")):
+                self.assertIn("measures both", self.bench("error", self.SCENE, *words, status=2).stderr)
             self.assertIn("CSV", self.bench("error", self.SCENE, "--json", status=2).stderr)
 
 

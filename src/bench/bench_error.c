@@ -40,11 +40,28 @@ static void add_grids(BenchError *result, ErrorSeries series, Backend backend, P
     }
 }
 
+/* The plain kernel has no adaptive sampling. */
+static void add_plain(BenchError *result, ErrorSeries series, Arithmetic arithmetic, Precision precision)
+{
+    for (int grid = 1; grid <= 8; grid *= 2) {
+        ErrorChoice *choice = add(result, series, grid);
+        choice->kernel = KERNEL_PLAIN;
+        choice->arithmetic = arithmetic;
+        choice->precision = precision;
+        snprintf(choice->name, sizeof choice->name, "plain/%s/%s, grid %d", render_arithmetics[arithmetic],
+                 render_precisions[precision], grid);
+    }
+}
+
 static void list_choices(BenchError *result, bool mirrors)
 {
     add_grids(result, SERIES_FLOAT, BACKEND_OPENCL, PRECISION_FLOAT, "float");
     add_grids(result, SERIES_DOUBLE, BACKEND_OPENCL, PRECISION_DOUBLE, "double");
     add_grids(result, SERIES_REFERENCE, BACKEND_REFERENCE, PRECISION_DOUBLE, "reference");
+    add_plain(result, SERIES_TEXTBOOK, ARITHMETIC_TEXTBOOK, PRECISION_FLOAT);
+    add_plain(result, SERIES_TEXTBOOK_DOUBLE, ARITHMETIC_TEXTBOOK, PRECISION_DOUBLE);
+    add_plain(result, SERIES_PLAIN, ARITHMETIC_EXACT, PRECISION_FLOAT);
+    add_plain(result, SERIES_PLAIN_DOUBLE, ARITHMETIC_EXACT, PRECISION_DOUBLE);
     add_grids(result, SERIES_ADAPTIVE, BACKEND_OPENCL, PRECISION_FLOAT, "float");
     add_grids(result, SERIES_ADAPTIVE_DOUBLE, BACKEND_OPENCL, PRECISION_DOUBLE, "double");
     add_grids(result, SERIES_ADAPTIVE_REFERENCE, BACKEND_REFERENCE, PRECISION_DOUBLE, "reference");
@@ -72,6 +89,8 @@ static bool trace(const ErrorChoice *choice, const Scene *scene, const BenchPlan
     changed.adaptive = choice->adaptive;
     changed.shading.max_bounces = choice->bounces;
     settings.precision = choice->precision;
+    settings.kernel = choice->kernel;
+    settings.arithmetic = choice->arithmetic;
     if (choice->accel != ACCEL_AUTO)
         settings.accel = choice->accel;
     return bench_picture(picture, &changed, choice->backend, &settings, error);
@@ -157,19 +176,6 @@ static void find_front(BenchError *result)
 
 /* --- All of it --- */
 
-bool bench_error_settle(BenchScene *wanted, Error *error)
-{
-    Scene scene;
-    if (!scene_load(&scene, wanted->path, error))
-        return false;
-    if (wanted->columns == 0)
-        bench_scene_fit(wanted, &scene.screen, PIXELS);
-    if (wanted->grid == 0)
-        wanted->grid = scene.grid;
-    scene_free(&scene);
-    return true;
-}
-
 /* Does any ray leave a mirror? */
 static bool reflects(const Scene *scene)
 {
@@ -195,23 +201,54 @@ static bool measure(BenchError *result, const Scene *scene, const BenchPlan *pla
     return ok;
 }
 
+/* The scene in the size and with the grid that are wanted. */
+static void settle(BenchError *result, Scene *scene, const BenchScene *wanted)
+{
+    if (wanted->columns == 0)
+        bench_scene_fit(&result->scene, &scene->screen, PIXELS);
+    if (wanted->grid == 0)
+        result->scene.grid = scene->grid;
+    scene->screen.columns = result->scene.columns;
+    scene->screen.rows = result->scene.rows;
+    scene->adaptive = scene->adaptive && scene->grid == result->scene.grid;
+    scene->grid = result->scene.grid;
+    result->adaptive = scene->adaptive;
+    result->faces = scene->face_count;
+    result->bounces = scene->shading.max_bounces;
+}
+
+static bool load(BenchError *result, Scene *scene, const BenchScene *wanted, const BenchPlan *plan, Error *error)
+{
+    *result = (BenchError){.scene = *wanted};
+    if (!scene_load(scene, wanted->path, error))
+        return false;
+    if (bench_error_arithmetic(&result->arithmetic, scene, wanted, plan, error))
+        return true;
+    scene_free(scene);
+    return false;
+}
+
 bool bench_error(BenchError *result, const BenchScene *wanted, const BenchPlan *plan, Error *error)
 {
     Scene scene;
-    *result = (BenchError){.scene = *wanted};
-    if (!scene_load(&scene, wanted->path, error))
+    if (!load(result, &scene, wanted, plan, error))
         return false;
-    scene.screen.columns = wanted->columns;
-    scene.screen.rows = wanted->rows;
-    scene.adaptive = scene.adaptive && scene.grid == wanted->grid;
-    scene.grid = wanted->grid;
-    result->adaptive = scene.adaptive;
-    result->faces = scene.face_count;
-    result->bounces = scene.shading.max_bounces;
+    settle(result, &scene, wanted);
     list_choices(result, reflects(&scene));
     Times *times = malloc(ERROR_MAX_CHOICES * sizeof *times);
     bool ok = times ? measure(result, &scene, plan, times, error) : error_memory(error, "the times");
     free(times);
     scene_free(&scene);
     return ok;
+}
+
+bool bench_error_arithmetic_only(BenchError *result, const BenchScene *wanted, const BenchPlan *plan, Error *error)
+{
+    Scene scene;
+    if (!load(result, &scene, wanted, plan, error))
+        return false;
+    result->arithmetic_only = true;
+    result->faces = scene.face_count;
+    scene_free(&scene);
+    return true;
 }

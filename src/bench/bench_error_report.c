@@ -1,6 +1,8 @@
 /* Tables in markdown, and CSV. Colours run from 0 to 1, errors are in the same unit. */
 #include "bench/bench_error_report.h"
 
+#include "bench/bench_arithmetic_report.h"
+#include "bench/bench_csv.h"
 #include "bench/bench_machine.h"
 
 #include <errno.h>
@@ -86,6 +88,7 @@ static void print_scene(FILE *out, const BenchError *result)
     fputs("\n</details>\n", out);
 }
 
+/* Of the scenes whose choices were measured. */
 static void print_truths(FILE *out, const BenchErrors *errors)
 {
     fputs("| scene | pixels | error of the truth itself, RMSE | the reference differs from it by at most |\n"
@@ -93,6 +96,8 @@ static void print_truths(FILE *out, const BenchErrors *errors)
           out);
     for (int i = 0; i < errors->count; i++) {
         const BenchError *result = &errors->scenes[i];
+        if (result->arithmetic_only)
+            continue;
         fprintf(out, "| %s | %d x %d | %.1e | %.1e |\n", result->scene.name, result->scene.columns, result->scene.rows,
                 result->truth_error, result->truth_check);
     }
@@ -106,6 +111,8 @@ static void print_causes(FILE *out, const BenchErrors *errors)
     for (int i = 0; i < errors->count; i++) {
         const BenchError *result = &errors->scenes[i];
         const ErrorCauses *c = &result->causes;
+        if (result->arithmetic_only)
+            continue;
         fprintf(out, "| %s, %s %d, %d bounces | %.1e | %.1e | %.1e | %.1e | %.1e |\n", result->scene.name,
                 result->adaptive ? "adaptive" : "grid", result->scene.grid, result->bounces, c->arithmetic, c->sampling,
                 c->truncation, c->output, c->all);
@@ -124,20 +131,13 @@ void bench_error_print_markdown(FILE *out, const void *data)
         errors->load);
     print_truths(out, errors);
     print_causes(out, errors);
+    bench_arithmetic_print_markdown(out, errors);
     for (int i = 0; i < errors->count; i++)
-        print_scene(out, &errors->scenes[i]);
+        if (!errors->scenes[i].arithmetic_only)
+            print_scene(out, &errors->scenes[i]);
 }
 
 /* --- CSV --- */
-
-/* In quotes, a quote doubled (RFC 4180). */
-static void write_text(FILE *out, const char *text)
-{
-    fputc('"', out);
-    for (const char *c = text; *c; c++)
-        fputs(*c == '"' ? "\"\"" : (const char[]){*c, '\0'}, out);
-    fputc('"', out);
-}
 
 static void write_choice(FILE *out, const BenchError *result, const ErrorChoice *choice)
 {
@@ -145,17 +145,22 @@ static void write_choice(FILE *out, const BenchError *result, const ErrorChoice 
         [SERIES_FLOAT] = "float",
         [SERIES_DOUBLE] = "double",
         [SERIES_REFERENCE] = "reference",
+        [SERIES_TEXTBOOK] = "textbook",
+        [SERIES_TEXTBOOK_DOUBLE] = "textbook double",
+        [SERIES_PLAIN] = "plain",
+        [SERIES_PLAIN_DOUBLE] = "plain double",
         [SERIES_ADAPTIVE] = "adaptive",
         [SERIES_ADAPTIVE_DOUBLE] = "adaptive double",
         [SERIES_ADAPTIVE_REFERENCE] = "adaptive reference",
         [SERIES_BOUNCES] = "bounces",
         [SERIES_ACCEL] = "accel",
     };
-    write_text(out, result->scene.name);
-    fprintf(out, ",%d,%d,\"%s\",%s,%s,%s,%s,%s,%d,%d,%d,", result->scene.columns, result->scene.rows, choice->name,
-            series[choice->series], render_backends[choice->backend], render_precisions[choice->precision],
-            render_accels[choice->accel], choice->adaptive ? "adaptive" : "uniform", choice->grid, choice->bounces,
-            choice->runs);
+    bench_csv_text(out, result->scene.name);
+    fprintf(out, ",%d,%d,\"%s\",%s,%s,", result->scene.columns, result->scene.rows, choice->name,
+            series[choice->series], render_backends[choice->backend]);
+    fprintf(out, "%s,%s,%s,%s,%s,%d,%d,%d,", choice->backend == BACKEND_OPENCL ? render_kernels[choice->kernel] : "",
+            render_arithmetics[choice->arithmetic], render_precisions[choice->precision], render_accels[choice->accel],
+            choice->adaptive ? "adaptive" : "uniform", choice->grid, choice->bounces, choice->runs);
     if (choice->runs == 0) {
         fputs(",,,,,,,,,,\n", out);
         return;
@@ -176,7 +181,8 @@ bool bench_error_write_csv(const BenchError *result, const BenchFolder *folder, 
     FILE *out = fopen(path.text, "w");
     if (!out)
         return error_set(error, ERROR_SYSTEM, "cannot write %s: %s", path.text, strerror(errno));
-    fputs("scene,columns,rows,choice,series,backend,precision,accel,sampling,grid,bounces,runs,trace_ms,"
+    fputs("scene,columns,rows,choice,series,backend,kernel,arithmetic,precision,accel,sampling,grid,bounces,runs,"
+          "trace_ms,"
           "rmse,max_error,share_off,psnr_db,primary,shadow,reflection,on_front,better,truth_error\n",
           out);
     for (int i = 0; i < result->choice_count; i++)

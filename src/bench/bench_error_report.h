@@ -6,13 +6,6 @@
 
 #include <stdio.h>
 
-typedef struct BenchErrors {
-    BenchError scenes[ERROR_MAX_SCENES];
-    int count;
-    BenchPlan plan;
-    double load; /* see bench_machine.h */
-} BenchErrors;
-
 /* `data` is a BenchErrors, so that bench_document.h may call this. Writing errors stay in `out`. */
 void bench_error_print_markdown(FILE *out, const void *data);
 

@@ -21,6 +21,16 @@ const BenchRung bench_ladder[] = {
     {0},
 };
 
+const BenchRung bench_lessons[] = {
+    {"acne", "scenes/lessons/acne.json", NULL, 0, true},
+    {"leak", "scenes/lessons/leak.json", NULL, 0, true},
+    {"cracks", "scenes/lessons/cracks.json", NULL, 0, true},
+    {"far", "scenes/lessons/far.json", NULL, 0, true},
+    {"light_in_the_plane", "scenes/lessons/light_in_the_plane.json", NULL, 0, true},
+    {"camera_in_the_plane", "scenes/lessons/camera_in_the_plane.json", NULL, 0, true},
+    {0},
+};
+
 const BenchRung *bench_rung_named(const char *name)
 {
     const BenchRung *rung = bench_ladder;

@@ -15,6 +15,9 @@ typedef struct BenchRung {
 
 extern const BenchRung bench_ladder[]; /* ends in a NULL name */
 
+/* The lessons on rounding, on which exact arithmetic shows; ends in a NULL name. */
+extern const BenchRung bench_lessons[];
+
 /* The rung of that name, which must be there. */
 const BenchRung *bench_rung_named(const char *name);
 

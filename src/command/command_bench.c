@@ -179,10 +179,13 @@ static bool check_scenes(const Options *options, Error *error)
 
 bool command_bench(const Options *options, Error *error)
 {
-    if (!options_agree(options, error) || !check_scenes(options, error))
+    bool of_error = options->operand_count > 0 && strcmp(options->operands[0], "error") == 0;
+    if (!check_scenes(options, error))
         return false;
-    if (options->operand_count > 0 && strcmp(options->operands[0], "error") == 0)
+    if (of_error) /* it measures both arithmetics, so --shift needs no other option */
         return command_bench_error(options, error);
+    if (!options_agree(options, error))
+        return false;
     if (options->operand_count > 0 && strcmp(options->operands[0], "kernels") == 0)
         return command_bench_kernels(options, error);
     if (options->operand_count == 0 && !options->ladder)

@@ -24,14 +24,18 @@ bench-peers: peers ## measure the ladder beside Embree and POV-Ray: renews docs/
 	$(PROGRAM) bench --ladder --folder build/bench -o docs/performance.md
 	@$(call plots,docs/images)
 
+# What the next two measure with besides: make bench-kernels BENCH_FLAGS="--size 64x48 --repeats 1" tries it out.
+BENCH_FLAGS :=
+
 .PHONY: bench-error
 bench-error: ## time against error, of the ladder's small scenes: renews docs/accuracy.md and its plots (minutes)
 	@$(SETUP) build run bench
 	@$(MAKE) --no-print-directory --silent $(PROGRAM)
-	$(PROGRAM) bench error --ladder --folder build/bench --repeats 3 -o docs/accuracy.md
+	$(PROGRAM) bench error --ladder --folder build/bench --repeats 3 -o docs/accuracy.md $(BENCH_FLAGS)
 	@for scene in original cornell mirrors gallery menger-2 city-1k; do \
 	    gnuplot -e "folder='build/bench'; out='docs/images'; scene='$$scene'" docs/plots/error.gp; \
 	done
+	@gnuplot -e "folder='build/bench'; out='docs/images'" docs/plots/arithmetic.gp
 
 .PHONY: bench-kernels
 bench-kernels: ## one kernel after another on two scenes: renews docs/kernel.md and its plots (minutes)
@@ -39,7 +43,8 @@ bench-kernels: ## one kernel after another on two scenes: renews docs/kernel.md 
 	@$(MAKE) --no-print-directory --silent $(PROGRAM)
 	@mkdir -p build/bench
 	$(PROGRAM) generate city --size 1000 -o build/bench/city-1k.json
-	$(PROGRAM) bench kernels scenes/gallery.json build/bench/city-1k.json --folder build/bench -o docs/kernel.md
+	$(PROGRAM) bench kernels scenes/gallery.json build/bench/city-1k.json --folder build/bench -o docs/kernel.md \
+	    $(BENCH_FLAGS)
 	@for scene in gallery city-1k; do \
 	    gnuplot -e "folder='build/bench'; out='docs/images'; scene='$$scene'" docs/plots/kernels.gp; \
 	done
