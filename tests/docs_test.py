@@ -111,6 +111,41 @@ class PlainKernel(unittest.TestCase):
             with self.subTest(block.split("\n")[0]):
                 self.assertIn(block, kernels)
 
+    def test_it_is_as_short_and_as_flat_as_it_says(self):
+        """At most 300 lines, and six calls from `render` down to the test of a face's edges, in either arithmetic."""
+        for arithmetic in ("textbook", "exact"):
+            files = ["kernels/plain.cl", "kernels/plain/scene.cl", f"kernels/plain/{arithmetic}_arithmetic.cl"]
+            text = "".join(map(read, files))
+            if arithmetic == "textbook":
+                self.assertLessEqual(text.count("\n"), 300)
+            bodies = dict(re.findall(r"(?ms)^(?:static|kernel) [^;\n=]*?\b(\w+)\([^;{}]*\)\n\{\n(.*?)^\}", text))
+            self.assertGreater(len(bodies), 12)
+
+            def longest(name):
+                """Of the ways down from this function: calls, -1 where none ends in a test of edges."""
+                if name == "inside_edges" or "vec3_cross(e, c)" in bodies[name]:
+                    return 0
+                below = [longest(other) for other in set(re.findall(r"\b(\w+)\(", bodies[name])) & set(bodies)]
+                return max([calls + 1 for calls in below if calls >= 0], default=-1)
+
+            self.assertEqual(longest("render"), 6, arithmetic)
+
+    def test_the_host_does_there_what_is_said(self):
+        """The call of OpenCL by which each of the host's functions does what the page says of it."""
+        page = read("docs/kernel.md").split("## plain.cl line by line")[0]
+        calls = {"Platform": ("list_devices", "clGetPlatformIDs"), "Device": ("list_add_platform", "clGetDeviceIDs"),
+                 "Context": ("open_context", "clCreateContext"), "Queue": ("open_context", "clCreateCommandQueue"),
+                 "Buffer": ("opencl_buffer", "clCreateBuffer"), "Program": ("build_program", "clBuildProgram"),
+                 "Kernel": ("opencl_kernel", "clSetKernelArg"), "NDRange": ("opencl_run", "clEnqueueNDRangeKernel"),
+                 "Work-group": ("opencl_run", "local")}
+        points = dict(re.findall(r"(?ms)^- \*\*(.*?)\.\*\* (.*?)(?=^- \*\*|^\*\*)", page))
+        for word, (function, call) in calls.items():
+            with self.subTest(word):
+                path = re.search(rf"`{function}`\s+(?:\([^)]*\)\s+)?(?:in|of)?\s*.*?`(src/opencl/\w+\.c)`",
+                                 points[word], re.S)[1]
+                body = re.search(rf"(?ms)^[^\n;]*\b{function}\([^;{{}}]*\)\n\{{\n(.*?)^\}}", read(path))[1]
+                self.assertIn(call, body)
+
     def test_each_edit_compiles_and_shows(self):
         render = [PROGRAM, "render", "scenes/gallery.json", "--kernel=plain", "--size=32x18", "--grid=1", "-q", "-o"]
         self.assertEqual(len(self.blocks("diff")), 3)

@@ -10,18 +10,6 @@ static wide3 vec3_cross(wide3 a, wide3 b)
     return (wide3)(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
-/* Step 4: does every edge e = v[k+1] - v[k] have the point P of the plane on its inner side? */
-static bool inside_edges(const Scene *scene, int face, wide3 n, wide3 p)
-{
-    for (int k = 0; k < 4; k++) { /* a triangle's fourth edge has no length: its sign is 0 */
-        wide3 e = face_vertex(scene, face, (k + 1) % 4) - face_vertex(scene, face, k);
-        wide3 c = p - face_vertex(scene, face, k);
-        if (vec3_dot(n, vec3_cross(e, c)) < 0)
-            return false;
-    }
-    return true;
-}
-
 /* Steps 3 and 4: does the ray hit the face? */
 static bool face_test(Scene *scene, int face, Ray ray, Hit *hit)
 {
@@ -37,7 +25,14 @@ static bool face_test(Scene *scene, int face, Ray ray, Hit *hit)
         return false;
     if (hit->from_behind && is_one_sided(scene, face))
         return false;
-    return inside_edges(scene, face, n, ray.origin + hit->t * ray.direction);
+    wide3 p = ray.origin + hit->t * ray.direction;
+    for (int k = 0; k < 4; k++) { /* a triangle's fourth edge has no length: its sign is 0 */
+        wide3 e = face_vertex(scene, face, (k + 1) % 4) - face_vertex(scene, face, k);
+        wide3 c = p - face_vertex(scene, face, k);
+        if (vec3_dot(n, vec3_cross(e, c)) < 0) /* outside this edge */
+            return false;
+    }
+    return true;
 }
 
 /* Step 6: is the face between the ray's origin and its end, where t = 1? */
