@@ -16,7 +16,7 @@ set xtics rotate by 25 right nomirror noenhanced
 set ytics nomirror
 set grid ytics lt 1 lw 0.6 lc "#dddddd"
 set border 3 lc "#666666"
-set key top left Left reverse samplen 1.5
+set key at graph 0.235,0.98 left Left reverse samplen 1.5
 
 # Six rows for each scene: textbook and exact in float, both in double, packets in both. None is drawn as nothing.
 row(n) = data." every 6::".n

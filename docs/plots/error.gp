@@ -29,10 +29,10 @@ adaptive = 'data using (ms("adaptive reference")):"rmse" @dashes pt 8 lc "#8a8a8
     data using (ms("adaptive double")):"rmse" @dashes pt 8 lc "#d08a2e" title "OpenCL, double, adaptive", \
     data using (ms("adaptive")):"rmse" @dashes pt 9 lc "#2b6cb0" title "OpenCL, float, adaptive", \
     data using (ms("adaptive")):"rmse":"grid" @low_numbers tc "#2b6cb0" notitle,'
-plain = 'data using (ms("plain")):"rmse" @lines pt 12 lc "#2f855a" title "plain kernel, float", \
-    data using (ms("plain double")):"rmse" @dashes pt 12 lc "#2f855a" title "plain kernel, double", \
-    data using (ms("textbook")):"rmse" @lines pt 10 lc "#c05621" title "plain, textbook arithmetic, float", \
-    data using (ms("textbook double")):"rmse" @dashes pt 10 lc "#c05621" title "plain, textbook arithmetic, double",'
+plain = 'data using (ms("plain")):"rmse" @lines pt 12 lc "#2f855a" title "plain, exact, float", \
+    data using (ms("plain double")):"rmse" @dashes pt 12 lc "#2f855a" title "plain, exact, double", \
+    data using (ms("textbook")):"rmse" @lines pt 10 lc "#c05621" title "plain, textbook, float", \
+    data using (ms("textbook double")):"rmse" @dashes pt 10 lc "#c05621" title "plain, textbook, double",'
 mirrors = 0
 refined = 0
 stats data using (mirrors = mirrors || is("bounces"), refined = refined || is("adaptive"), 1) nooutput
