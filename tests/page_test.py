@@ -458,7 +458,9 @@ class InBrowser(unittest.TestCase):
     def test_a_pinned_pixel_is_compared(self):
         self.open("#scene=scenes/cornell.json&size=200x200&grid=1&pixel=20,100")
         self.browser.key("p")
+        self.assertTrue(self.value("$('steps').checkVisibility()"))
         self.browser.key("ArrowRight")
+        self.assertFalse(self.value("$('steps').checkVisibility()"))
         first = self.value("$('differences-first').textContent")
         self.assertEqual(first, "They take the same path, and the same lights reach it.")
         self.value("choosePixel(100, 150)")

@@ -86,7 +86,8 @@ function differenceFold(part, first) {
 function showDifferences() {
     $('differences-part').hidden = !page.pinned || !page.walk;
     $('pin').setAttribute('aria-pressed', String(Boolean(page.pinned)));
-    document.body.classList.toggle('comparing', Boolean(page.pinned));
+    const two = page.pinned && String(page.pinned.pixel) !== String(page.pixel);
+    document.body.classList.toggle('comparing', Boolean(two)); // then only what differs is shown
     if (!page.pinned || !page.walk) return;
     const parts = compareWalks(page.pinned.walk, page.walk);
     const first = parts.find(partsWays);

@@ -1,6 +1,7 @@
 // The names of points in space: placed beside them, the more important first, and moved where they would overlap.
 'use strict';
 
+// In sixteenths of the page's letters, as are the sizes below.
 const LABEL_PLACES = [
     [6, -18],
     [6, 4],
@@ -33,6 +34,7 @@ function overlaps(a, b) {
 function placeLabels(holder, marks, rows, near) {
     const width = holder.clientWidth;
     const height = holder.clientHeight;
+    const unit = letterSize() / 16;
     const labels = [];
     // Printed, the drawing has another size.
     const percent = (x, y) => `left: ${(100 * x) / width}%; top: ${(100 * y) / height}%`;
@@ -48,9 +50,15 @@ function placeLabels(holder, marks, rows, near) {
     const taken = seen.map(({x, y}) => ({x: x - 4, y: y - 4, w: 8, h: 8}));
     for (const {x, y, text, kind, outside} of seen) {
         if (!outside) labels.push(element('i', {class: 'dot ' + kind, style: percent(x, y)}));
-        const w = 9 * text.length + 6;
-        const h = 17;
-        const place = LABEL_PLACES.map(([dx, dy]) => ({x: dx < 0 ? x + dx - w : x + dx, y: y + dy, w, h})).find(
+        const w = (9 * text.length + 6) * unit;
+        const h = 17 * unit;
+        const places = LABEL_PLACES.map(([dx, dy]) => ({
+            x: x + dx * unit - (dx < 0 ? w : 0),
+            y: y + dy * unit,
+            w,
+            h,
+        }));
+        const place = places.find(
             box =>
                 !taken.some(other => overlaps(box, other)) &&
                 box.x >= 0 &&

@@ -72,6 +72,9 @@ function inked(text) {
     return out;
 }
 
+// Of the page's letters, in pixels: larger on large screens.
+const letterSize = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
+
 const plain = text => text.replace(/\x1b\[[\d;]*m/g, '');
 
 function fail(message) {

@@ -75,8 +75,8 @@ function stepFold(step) {
 // 80 to 100, as the program's lines may be: as many as fit in letters that are a little smaller than the page's.
 const LETTER_SHARE = 0.9;
 function columnsOfText() {
-    const letter = 0.605 * LETTER_SHARE * parseFloat(getComputedStyle(document.documentElement).fontSize);
-    const columns = Math.max(80, Math.min(100, Math.floor($('steps').clientWidth / letter)));
+    const letter = 0.605 * LETTER_SHARE * letterSize();
+    const columns = Math.max(80, Math.min(100, Math.floor($('answer').clientWidth / letter)));
     document.body.style.setProperty('--columns', columns);
     return columns;
 }
@@ -130,6 +130,6 @@ let columns = 0;
 new ResizeObserver(() => {
     if (page.pixel && columns && columnsOfText() !== columns) choosePixel(...page.pixel);
     columns = columnsOfText();
-}).observe($('steps'));
+}).observe($('answer'));
 on('pixel', showSteps);
 on('step', showStep);

@@ -165,7 +165,7 @@ class View3D extends Onlooker {
         gl.disable(gl.BLEND);
         this.faces.use({matrix, onlooker: eye});
         gl.drawArrays(gl.TRIANGLES, 0, this.faces.count);
-        this.lines.use({matrix, size: [width, height], ratio, near});
+        this.lines.use({matrix, size: [width, height], ratio: (ratio * letterSize()) / 16, near});
         gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.lines.count);
         gl.enable(gl.BLEND);
         gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
