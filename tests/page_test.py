@@ -583,15 +583,21 @@ class InBrowser(unittest.TestCase):
         # Each in its turn, in the words of the walkthrough.
         verbose, _ = rectray("trace", "scenes/gallery.json", *pixel, "--verbose")
         said = " ".join(verbose.decode().split())
+        words = self.value("nodesOfStep().map(node => node.words)")
+        self.assertEqual(len(words), len(nodes))
+        for node, told in zip(nodes, words):
+            self.assertTrue(told.startswith(f"node {node['node']}: "), told)
+            self.assertIn(told, said)
         shown = set()
-        for k in range(len(nodes)):
+        for k in (0, 1, 2):
             self.browser.key("n")
             self.assertEqual(self.value("$('node-number').textContent"), f"{k + 1} of {len(nodes)} nodes")
-            words = self.value("$('node-words').textContent")
-            self.assertTrue(words.startswith(f"node {nodes[k]['node']}: "), words)
-            self.assertIn(words, said)
-            shown.add(self.value("nodeLines().filter(line => line.width > 1).map(line => line.from + line.to).join()"))
-        self.assertGreater(len(shown), len(nodes) // 2)
+            self.assertEqual(self.value("$('node-words').textContent"), words[k])
+            shown.add(self.drawn())
+        self.assertGreater(len(shown), 1)
+        for _ in range(4):  # past the first one all are shown, then the last one
+            self.browser.key("n", shift=True)
+        self.assertEqual(self.value("$('node-number').textContent"), f"{len(nodes)} of {len(nodes)} nodes")
         self.browser.key("n")
         self.assertEqual(self.value("$('node-number').textContent"), f"all {len(nodes)} nodes")
         self.value("$('tree').value = 'none', $('tree').dispatchEvent(new Event('change'))")
@@ -599,10 +605,13 @@ class InBrowser(unittest.TestCase):
 
     def test_a_search_in_a_tree_is_told_as_the_program_tells_it(self):
         self.open("#scene=scenes/gallery.json&size=320x180&grid=1&pixel=225,95&tree=kdtree")
-        words = "trace scenes/gallery.json --size 320x180 --grid 1 --pixel 225,95 --accel kdtree".split()
-        self.assertEqual(self.value("page.tracer.trace(225, 95)"), rectray(*words)[0].decode())
         self.assertEqual(self.value("$('tree').value"), "kdtree")
         self.assertIn("tree nodes", self.value("$('steps').textContent"))
+        for tree in self.value("[...$('tree').options].map(option => option.value)"):
+            with self.subTest(tree):
+                words = "trace scenes/gallery.json --size 320x180 --grid 1 --pixel 225,95 --accel".split()
+                self.value(f"setTree('{tree}')")
+                self.assertEqual(self.value("page.tracer.trace(225, 95)"), rectray(*words, tree)[0].decode())
 
     def test_labels_do_not_overlap(self):
         self.open("#scene=scenes/cornell.json&size=100x100&grid=1&pixel=50,70")

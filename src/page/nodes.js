@@ -3,7 +3,7 @@
 'use strict';
 
 const NODE_NUMBERS = 9; // of page.h
-const TREES = {none: 1, kdtree: 2, bvh: 3}; // AccelKind
+const TREES = {none: 1, kdtree: 2, bvh: 3, lbvh: 4}; // AccelKind
 const ENTERED = 0;
 // Of each NodeVerdict: entered, missed, beyond, unneeded.
 const NODE_STYLES = [
