@@ -7,12 +7,14 @@
 The program runs in that folder. To add one, add its folder. To run one:
 python3 tests/models_test.py Models.test_the_folder_NAME"""
 import json
+import math
+import struct
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from support.program import PROGRAM
+from support.program import PROGRAM, SCENE, CommandTest
 
 FOLDERS = sorted(path for path in (Path(__file__).resolve().parent / "models").iterdir() if path.is_dir())
 
@@ -77,6 +79,81 @@ class Names(unittest.TestCase):
 
     def test_one_name_for_all_is_none(self):
         self.assertEqual(json.loads(self.output("check", "scenes/gallery.json", "--json"))["holds"]["parts"], [])
+
+
+class Formats(CommandTest):
+    """Files of other formats, and broken ones."""
+
+    def says(self, data, name="model"):
+        with open(self.path(name), "wb") as file:
+            file.write(data)
+        scene = SCENE | {"objects": [{"material": "pink", "obj": name}]}
+        self.put("scene.json", json.dumps(scene))
+        out, err = self.run_program("check", "scene.json", status=1)
+        self.assertEqual(out, b"")
+        return err
+
+    def test_a_foreign_file_is_named(self):
+        for data, name in ((b"<!DOCTYPE html>\n<html>", "an HTML page"), (b"  <HTML><body>", "an HTML page"),
+                           (b'\xef\xbb\xbf{"type": "CityJSON"}', "glTF or CityJSON"),
+                           (b"glTF\x02\0\0\0", "binary glTF"),
+                           (b"PK\x03\x04\x14\0", "3MF"), (b"Kaydara FBX Binary  \0", "an FBX file"),
+                           (b"VOX \x96\0\0\0", "MagicaVoxel"), (b"OFF\n8 6 0\n", "an OFF file"),
+                           (b"newmtl red\nKd 1 0 0\n", "a material library"), (b"#VRML V2.0 utf8", "a VRML file"),
+                           (b'<?xml version="1.0"?>\n<COLLADA', "Collada"), (b"ISO-10303-21;", "STEP or IFC")):
+            with self.subTest(data):
+                self.assertRegex(self.says(data), rf"^model: this is [^;]*{name}[^;]*; [^\n]+\n$")
+
+    def test_broken_ply_files(self):
+        header = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        face = b"element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        points = b"0 0 0\n1 0 0\n0 1 0\n"
+        for data, message in ((header, "model:6: the header has no end"),
+                              (b"ply\nformat ascii 2.0\n", 'model:2: "format ascii 2.0" is no line of a PLY header'),
+                              (b"ply\nproperty float x\n", "model:2: a property of no element, or more than 64 of one"),
+                              (b"ply\nelement vertex -1\n", 'model:2: "-1" is no number of elements'),
+                              (header + b"property half w\n", 'model:7: the property "w" has an unknown type'),
+                              (header + face + points, "model:13: the file ends before its elements do"),
+                              (header + face + points + b"3 0 1 3\n", "model:13: vertex 3 does not exist; there are 3"),
+                              (header + face + points + b"3 0 1 -1\n",
+                               "model:13: vertex -1 does not exist; there are 3"),
+                              (header + face + points + b"3 0 1 x\n", "model:13: a word that is no number"),
+                              (header + face + b"0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n",
+                               "model:13: vertex 2 of the face is not a finite number"),
+                              (header + b"end_header\n" + points,
+                               "model: this PLY file holds no face (a list vertex_indices)")):
+            with self.subTest(data):
+                self.assertEqual(self.says(data), message + "\n")
+
+    def test_broken_binary_files_name_the_element(self):
+        header = (b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+                  b"property double z\nelement face 2\nproperty list uchar ushort vertex_index\nend_header\n")
+        points = struct.pack("<9d", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+        face = struct.pack("<B3H", 3, 0, 1, 2)
+        self.assertEqual(self.says(header + points[:-1]), "model: vertex 3: the file ends before its elements do\n")
+        self.assertEqual(self.says(header + points + face + struct.pack("<B3H", 3, 0, 1, 7)),
+                         "model: face 2: vertex 7 does not exist; there are 3\n")
+        stl = b" " * 80 + struct.pack("<I", 1) + struct.pack("<12fH", *[0] * 3, 0, 0, 0, 1, 0, 0, 0, math.nan, 0, 0)
+        self.assertEqual(self.says(stl), "model: face 1: vertex 3 of the face is not a finite number\n")
+        self.assertRegex(self.says(stl[:-1].replace(b" ", b"\0")), "^model: is a binary file of no known format; ")
+
+    def test_a_face_that_is_left_out_of_a_binary_file_has_its_number(self):
+        faces = [struct.pack("<12fH", *[0] * 3, *points, 0) for points in ([0, 0, 0, 1, 0, 0, 0, 1, 0], [0] * 9)]
+        with open(self.path("model.stl"), "wb") as file:
+            file.write(b" " * 80 + struct.pack("<I", 2) + b"".join(faces))
+        self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": "model.stl"}]}))
+        self.assertRegex(self.run_program("check", "scene.json")[1], r"^model\.stl: note: .*: face 2\b.*\n$")
+
+    def test_broken_stl_files(self):
+        facet = "solid x\nfacet normal 0 0 1\nouter loop\n"
+        three = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+        for text, message in ((facet + "vertex 0 0 0\nendloop\nendfacet\n", "6: a facet of 1 vertices; it needs 3"),
+                              (facet + three + three, "7: a facet of more than 3 vertices"),
+                              (facet + "vertex 0 0\n", "4: a vertex needs three coordinates, not 2"),
+                              (facet + "face 1 2 3\n", '4: "face" is no word of STL (solid, facet, vertex, ...)'),
+                              ("solid x\nendsolid x\n", " holds no face")):
+            with self.subTest(text):
+                self.assertEqual(self.says(text.encode()), f"model:{message}\n")
 
 
 def test_of(folder):

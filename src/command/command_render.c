@@ -248,7 +248,8 @@ static bool check_mark(const Options *options, const Scene *scene, Error *error)
 static bool print_stage(const char *path, Error *error)
 {
     if (!stage_is_model(path))
-        return error_set(error, ERROR_USAGE, "--stage makes a scene for a model; %s does not end in .obj", path);
+        return error_set(error, ERROR_USAGE, "--stage makes a scene for a model; %s does not end in .obj, .ply or .stl",
+                         path);
     char *text = stage_text(path, error);
     if (text)
         fputs(text, stdout);

@@ -2,9 +2,9 @@
 #include "page/explore_files.h"
 
 #include "base/array.h"
-#include "base/text_blocks.h"
 #include "reader/line_scan.h"
 #include "reader/model_library.h"
+#include "reader/scene_model.h"
 #include "json/json.h"
 
 #include <stdlib.h>
@@ -52,25 +52,26 @@ static bool add_line(ExploreFiles *files, const char *model, char *names, Error 
     return good && error->kind == ERROR_NONE;
 }
 
+/* A model while its mtllib lines are looked for. */
+typedef struct ModelLines {
+    ExploreFiles *files;
+    LineScan scan;
+} ModelLines;
+
+static bool read_line(void *user)
+{
+    ModelLines *model = user;
+    LineScan *scan = &model->scan;
+    scan_blanks(scan);
+    if (scan_word_is(scan_word(scan), "mtllib"))
+        return add_line(model->files, scan->path, scan_rest(scan), scan->error);
+    return scan_next_line(scan);
+}
+
 static bool add_libraries(ExploreFiles *files, const char *model, Error *error)
 {
-    TextBlocks blocks;
-    LineScan scan = {.path = model, .error = error};
-    bool good = text_blocks_open(&blocks, model, error);
-    while (good) {
-        TextBlock block = text_blocks_next(&blocks, error);
-        if (!block.at)
-            break;
-        for (scan.at = block.at; good && scan.at < block.end;) {
-            scan_blanks(&scan);
-            if (scan_word_is(scan_word(&scan), "mtllib"))
-                good = add_line(files, model, scan_rest(&scan), error);
-            else
-                scan_next_line(&scan);
-        }
-    }
-    text_blocks_close(&blocks);
-    return good && error->kind == ERROR_NONE;
+    ModelLines lines = {files, {.line = 1, .path = model, .error = error}};
+    return scan_file(&lines.scan, read_line, &lines);
 }
 
 bool explore_find_files(ExploreFiles *files, const char *scene_path, Error *error)
@@ -87,8 +88,9 @@ bool explore_find_files(ExploreFiles *files, const char *scene_path, Error *erro
         if (!cJSON_IsString(obj))
             continue;
         good = add_path(files, text_beside(scene_path, obj->valuestring, error), &is_new, error);
-        if (good && is_new)
+        if (good && is_new && scene_model_is_obj(files->items[files->count - 1].path, error))
             good = add_libraries(files, files->items[files->count - 1].path, error);
+        good = good && error->kind == ERROR_NONE;
     }
     json_free(&json);
     return good;

@@ -2,6 +2,7 @@
 #include "reader/line_scan.h"
 
 #include "base/number.h"
+#include "base/text_blocks.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -76,6 +77,24 @@ Quoted scan_quote(ScanWord word)
     char text[sizeof((Quoted *)0)->text];
     snprintf(text, sizeof text, "%.*s", word.length, word.text);
     return text_quote(text);
+}
+
+bool scan_file(LineScan *scan, bool (*read_line)(void *user), void *user)
+{
+    TextBlocks blocks;
+    bool good = text_blocks_open(&blocks, scan->path, scan->error);
+    number_prepare();
+    while (good) {
+        TextBlock block = text_blocks_next(&blocks, scan->error);
+        if (!block.at)
+            break;
+        scan->at = block.at;
+        while (good && scan->at < block.end)
+            good = read_line(user);
+        blocks.line = scan->line - 1;
+    }
+    text_blocks_close(&blocks);
+    return good && scan->error->kind == ERROR_NONE;
 }
 
 bool scan_fail(const LineScan *scan, long line, const char *format, ...)

@@ -26,6 +26,10 @@ static inline bool scan_word_ends(const char *at)
     return scan_is_blank(*at) || *at == '\n' || (*at == '\\' && at[1] == '\n');
 }
 
+/* Reads a file: calls `read_line` again and again, each time at the beginning of a line, until the file ends or it
+ * fails. The scan has the path, the error, and the line 1. False on a failure, also of reading. */
+bool scan_file(LineScan *scan, bool (*read_line)(void *user), void *user);
+
 /* Goes to the next word, also on a line that continues this one. */
 static inline void scan_blanks(LineScan *scan)
 {

@@ -140,10 +140,12 @@ bool scene_build_model(SceneBuild *build, const char *path)
 
 bool scene_build_note_face(SceneBuild *build, NoteName name, int object, int place)
 {
+    char where[48];
+    snprintf(where, sizeof where, "face %d", -place); /* of a binary file */
+    NotePlace at = {.line = place > 0 ? place : 0, .detail = place > 0 ? NULL : where};
     for (int i = build->model_count - 1; i >= 0; i--)
         if (build->models[i].object == object)
-            return scene_build_note(build, name, build->models[i].path, (NotePlace){.line = place});
-    char where[48];
+            return scene_build_note(build, name, build->models[i].path, at);
     snprintf(where, sizeof where, "objects[%d].faces[%d]", object, place);
     return scene_build_note(build, name, build->path ? build->path : "", (NotePlace){.detail = where});
 }

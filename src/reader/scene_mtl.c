@@ -2,7 +2,6 @@
 #include "reader/scene_mtl.h"
 
 #include "base/array.h"
-#include "base/text_blocks.h"
 #include "reader/mtl_line.h"
 
 #include <stdlib.h>
@@ -31,8 +30,9 @@ static bool begin_material(MtlReader *reader)
 }
 
 /* Reads a line, and goes to the next one. */
-static bool read_line(MtlReader *reader)
+static bool read_line(void *user)
 {
+    MtlReader *reader = user;
     LineScan *scan = &reader->scan;
     scan_blanks(scan);
     long line = scan->line;
@@ -50,21 +50,9 @@ static bool read_line(MtlReader *reader)
 static bool read_file(MtlLibrary *library, const char *path, Notes *notes, Error *error)
 {
     MtlReader reader = {.library = library, .notes = notes, .scan = {.line = 1, .path = path, .error = error}};
-    TextBlocks blocks;
     reader.now = &reader.dropped;
     reader.draft = (MtlDraft){.illum = -1, .opaque = -1, .transparent = -1};
-    bool good = text_blocks_open(&blocks, path, error);
-    while (good) {
-        TextBlock block = text_blocks_next(&blocks, error);
-        if (!block.at)
-            break;
-        reader.scan.at = block.at;
-        while (good && reader.scan.at < block.end)
-            good = read_line(&reader);
-        blocks.line = reader.scan.line - 1;
-    }
-    text_blocks_close(&blocks);
-    return good && error->kind == ERROR_NONE && mtl_finish_material(&reader);
+    return scan_file(&reader.scan, read_line, &reader) && mtl_finish_material(&reader);
 }
 
 bool scene_mtl_read(MtlLibrary *library, char *path, Notes *notes, Error *error)

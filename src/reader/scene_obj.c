@@ -1,8 +1,6 @@
 /* Wavefront OBJ models: one pass over the text, line by line. Vertices are read here. */
 #include "reader/scene_obj.h"
 
-#include "base/number.h"
-#include "base/text_blocks.h"
 #include "reader/obj_faces.h"
 
 #include <math.h>
@@ -87,8 +85,9 @@ static bool read_key(ObjReader *reader, ScanWord key, long line)
     return leave_out(reader, key, line);
 }
 
-static bool read_line(ObjReader *reader)
+static bool read_line(void *user)
 {
+    ObjReader *reader = user;
     LineScan *scan = &reader->scan;
     scan_blanks(scan);
     char key = *scan->at;
@@ -103,24 +102,6 @@ static bool read_line(ObjReader *reader)
     return read_key(reader, scan_word(scan), line);
 }
 
-static bool read_file(ObjReader *reader)
-{
-    TextBlocks blocks;
-    LineScan *scan = &reader->scan;
-    bool good = text_blocks_open(&blocks, scan->path, scan->error);
-    while (good) {
-        TextBlock block = text_blocks_next(&blocks, scan->error);
-        if (!block.at)
-            break;
-        scan->at = block.at;
-        while (good && scan->at < block.end)
-            good = read_line(reader);
-        blocks.line = scan->line - 1;
-    }
-    text_blocks_close(&blocks);
-    return good && scan->error->kind == ERROR_NONE;
-}
-
 bool scene_obj_read(SceneBuild *build, const char *path)
 {
     ObjReader reader = {
@@ -129,8 +110,8 @@ bool scene_obj_read(SceneBuild *build, const char *path)
         .materials = {.build = build, .path = path, .current = -1},
         .faces = {.build = build, .materials = &reader.materials},
     };
-    number_prepare();
-    bool good = scene_build_model(build, path) && read_file(&reader) && obj_faces_finish(&reader.faces, &reader.scan);
+    bool good = scene_build_model(build, path) && scan_file(&reader.scan, read_line, &reader) &&
+                obj_faces_finish(&reader.faces, &reader.scan);
     if (good && reader.faces.count == 0)
         good = error_set(build->error, ERROR_INPUT, "%s: holds no face", path);
     if (good && reader.colours.count > 0)

@@ -4,7 +4,7 @@
 #include "base/suggest.h"
 #include "base/text.h"
 #include "reader/model_library.h"
-#include "reader/scene_obj.h"
+#include "reader/scene_model.h"
 #include "reader/scene_transform.h"
 #include "json/json_read.h"
 
@@ -160,7 +160,7 @@ static bool read_obj(const Json *json, const cJSON *item, bool is_named, SceneBu
     Error reason = {.kind = ERROR_NONE};
     bool good = text_check(path, &reason);
     if (good)
-        good = scene_obj_read(build, path) &&
+        good = scene_model_read(build, path) &&
                (is_named || build->scene->part_count == build->first_part || name_after_file(build, path));
     else if (reason.kind == ERROR_INPUT)
         fail_path(json, item, reason.text);
@@ -269,7 +269,8 @@ bool scene_objects_fail_face(const Json *json, const cJSON *objects, const Scene
     if (obj) {
         char *path = text_beside(json->name, obj->valuestring, json->error);
         if (path)
-            error_set(json->error, ERROR_INPUT, "%s:%d: %s", path, build->fault->place, build->reason);
+            error_set(json->error, ERROR_INPUT, build->fault->place > 0 ? "%s:%d: %s" : "%s: face %d: %s", path,
+                      abs(build->fault->place), build->reason);
         free(path);
         return false;
     }

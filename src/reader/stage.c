@@ -43,7 +43,7 @@ static const char STAGE[] =
 bool stage_is_model(const char *path)
 {
     const char *dot = strrchr(path, '.');
-    return dot && strcasecmp(dot, ".obj") == 0;
+    return dot && (strcasecmp(dot, ".obj") == 0 || strcasecmp(dot, ".ply") == 0 || strcasecmp(dot, ".stl") == 0);
 }
 
 /* A string as JSON writes it; cJSON_free frees it. */

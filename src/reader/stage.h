@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 
-/* Whether a file is a model by its ending: .obj, in small letters or large ones. */
+/* Whether a file is a model by its ending: .obj, .ply or .stl, in small letters or large ones. */
 bool stage_is_model(const char *path);
 
 /* The text of a scene file that shows the model; the caller frees it. The model is read for its size. Its path is as

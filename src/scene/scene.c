@@ -35,7 +35,7 @@ const char *scene_part_of(const Scene *scene, int face)
             high = middle;
     }
     bool inside = low >= 0 && scene->parts[low].first_face >= scene->objects[scene->faces[face].object].first_face;
-    return inside ? scene->parts[low].name : NULL;
+    return inside && scene->parts[low].name[0] ? scene->parts[low].name : NULL;
 }
 
 double screen_height(const Screen *screen)

@@ -57,7 +57,7 @@ typedef struct Object {
 
 /* A named part of a model: the faces from first_face to the next part, or to the end of the object. */
 typedef struct ScenePart {
-    char *name;
+    char *name; /* "": the faces have the object's name only */
     int first_face;
 } ScenePart;
 

@@ -10,13 +10,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define FUZZ_TARGETS(X) X(scene) X(obj) X(mtl) X(options)
+#define FUZZ_TARGETS(X) X(scene) X(obj) X(mtl) X(model) X(options)
 
 /* A scene file; then, after lines of "---", the model "100" and the library "101" that it may name. */
 int fuzz_scene(const uint8_t *data, size_t size);
 
 /* A model; after a line of "---" the library "101" that it may name. */
 int fuzz_obj(const uint8_t *data, size_t size);
+
+/* A model: OBJ, PLY or STL. */
+int fuzz_model(const uint8_t *data, size_t size);
 
 /* A material library. */
 int fuzz_mtl(const uint8_t *data, size_t size);
