@@ -26,6 +26,8 @@ INSTRUMENT ?=
 # -fno-tree-slp-vectorize: GCC 12 at -O2 takes (double)(float)x for x in two of three neighbouring values.
 STANDARD := -std=c99 -D_POSIX_C_SOURCE=200809L -DCL_TARGET_OPENCL_VERSION=120 -ffp-contract=off \
     -fno-tree-slp-vectorize
+# The objects of the program are those of the libraries, too.
+STANDARD += -fPIC -fvisibility=hidden
 WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow
 
 # pkg-config is asked when a recipe first needs its answer, not when this file is read: `make setup` may have to
@@ -64,7 +66,8 @@ $(FOUND):
 # --- The program ----------------------------------------------------------------------------------------------
 
 PROGRAM := $(BUILD)/rectray
-LIBRARY := $(BUILD)/librectray.a
+LIBRARY := $(BUILD)/rectray-parts.a
+API     := 1
 OBJECTS := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/*/*.c))
 LIBRARY_OBJECTS := $(filter-out %/main.o,$(OBJECTS)) $(BUILD)/kernel_sources.o $(BUILD)/page_template.o
 
@@ -80,6 +83,26 @@ $(LIBRARY): $(LIBRARY_OBJECTS)
 	$(call say,archive,$@)
 	$(Q)rm -f $@
 	$(Q)$(AR) rcs $@ $^
+
+# rectray as a library, static and shared. In the static one the names that are not public are made local.
+PUBLIC_OBJECTS := $(filter-out $(BUILD)/src/main.o $(BUILD)/src/command/% $(BUILD)/src/bench/% $(BUILD)/src/page/%, \
+    $(OBJECTS)) $(BUILD)/kernel_sources.o
+
+.PHONY: library
+library: $(BUILD)/lib/librectray.a $(BUILD)/lib/librectray.so ## build librectray.a and librectray.so in build/lib
+
+$(BUILD)/lib/librectray.so: $(PUBLIC_OBJECTS) src/library/public
+	@mkdir -p $(@D)
+	$(call say,link,$@)
+	$(Q)$(LINK) -shared -Wl,-soname,librectray.so.$(API) -Wl,--version-script=src/library/public $(filter %.o,$^) $(LIBS) -o $@
+
+$(BUILD)/lib/librectray.a: $(PUBLIC_OBJECTS)
+	@mkdir -p $(@D)
+	$(call say,archive,$@)
+	$(Q)$(LD) -r $^ -o $(BUILD)/lib/rectray.o
+	$(Q)objcopy -w --keep-global-symbol='rectray_*' $(BUILD)/lib/rectray.o
+	$(Q)rm -f $@
+	$(Q)$(AR) rcs $@ $(BUILD)/lib/rectray.o
 
 $(BUILD)/src/%.o: src/%.c | $(FOUND)
 	@mkdir -p $(@D)
