@@ -94,7 +94,8 @@ library: $(BUILD)/lib/librectray.a $(BUILD)/lib/librectray.so ## build librectra
 $(BUILD)/lib/librectray.so: $(PUBLIC_OBJECTS) src/library/public
 	@mkdir -p $(@D)
 	$(call say,link,$@)
-	$(Q)$(LINK) -shared -Wl,-soname,librectray.so.$(API) -Wl,--version-script=src/library/public $(filter %.o,$^) $(LIBS) -o $@
+	$(Q)$(LINK) -shared -Wl,-soname,librectray.so.$(API) -Wl,--version-script=src/library/public \
+	    $(filter %.o,$^) $(LIBS) -o $@
 
 $(BUILD)/lib/librectray.a: $(PUBLIC_OBJECTS)
 	@mkdir -p $(@D)
@@ -155,10 +156,17 @@ MAN1  := $(SHARE)/man/man1
 COMMANDS = $(shell $(PROGRAM) help | sed -n 's/^  \([a-z]*\) .*/\1/p')
 
 .PHONY: install
-install: $(PROGRAM) ## install program, manual, completion, scenes, kernels, docs under PREFIX (/usr/local)
+install: $(PROGRAM) library ## install program, library, manual, scenes, kernels and docs under PREFIX (/usr/local)
 	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/rectray $(SHARE)/doc/rectray $(MAN1) $(SHARE)/man/man5 \
 	    $(SHARE)/bash-completion/completions $(SHARE)/zsh/site-functions $(SHARE)/fish/vendor_completions.d
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/rectray
+	install -d $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/include
+	install -m 644 src/library/rectray.h $(DESTDIR)$(PREFIX)/include/
+	install -m 644 $(BUILD)/lib/librectray.a $(DESTDIR)$(PREFIX)/lib/
+	install -m 755 $(BUILD)/lib/librectray.so $(DESTDIR)$(PREFIX)/lib/librectray.so.$(API)
+	ln -sf librectray.so.$(API) $(DESTDIR)$(PREFIX)/lib/librectray.so
+	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|; s|@LIBS@|$(LIBS)|' src/library/rectray.pc.in \
+	    >$(DESTDIR)$(PREFIX)/lib/pkgconfig/rectray.pc
 	cp -R scenes kernels $(SHARE)/rectray/
 	cp -R README.md CONTRIBUTING.md LICENSE docs $(wildcard $(PAGE)) $(SHARE)/doc/rectray/
 	$(PROGRAM) help --as man >$(MAN1)/rectray.1
@@ -170,7 +178,9 @@ install: $(PROGRAM) ## install program, manual, completion, scenes, kernels, doc
 
 .PHONY: uninstall
 uninstall: ## remove what install put there
-	rm -rf $(DESTDIR)$(PREFIX)/bin/rectray $(SHARE)/rectray $(SHARE)/doc/rectray $(MAN1)/rectray.1 $(MAN1)/rectray-*.1 \
+	rm -rf $(DESTDIR)$(PREFIX)/lib/librectray.* $(DESTDIR)$(PREFIX)/lib/pkgconfig/rectray.pc \
+	    $(DESTDIR)$(PREFIX)/include/rectray.h $(DESTDIR)$(PREFIX)/bin/rectray $(SHARE)/rectray $(SHARE)/doc/rectray \
+	    $(MAN1)/rectray.1 $(MAN1)/rectray-*.1 \
 	    $(SHARE)/man/man5/rectray-scene.5 $(SHARE)/bash-completion/completions/rectray \
 	    $(SHARE)/zsh/site-functions/_rectray $(SHARE)/fish/vendor_completions.d/rectray.fish
 

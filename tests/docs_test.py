@@ -135,7 +135,7 @@ class PlainKernel(unittest.TestCase):
         page = read("docs/kernel.md").split("## plain.cl line by line")[0]
         calls = {"Platform": ("list_devices", "clGetPlatformIDs"), "Device": ("list_add_platform", "clGetDeviceIDs"),
                  "Context": ("open_context", "clCreateContext"), "Queue": ("open_context", "clCreateCommandQueue"),
-                 "Buffer": ("opencl_buffer", "clCreateBuffer"), "Program": ("build_program", "clBuildProgram"),
+                 "Buffer": ("make_buffer", "clCreateBuffer"), "Program": ("build_program", "clBuildProgram"),
                  "Kernel": ("opencl_kernel", "clSetKernelArg"), "NDRange": ("opencl_run", "clEnqueueNDRangeKernel"),
                  "Work-group": ("opencl_run", "local")}
         points = dict(re.findall(r"(?ms)^- \*\*(.*?)\.\*\* (.*?)(?=^- \*\*|^\*\*)", page))

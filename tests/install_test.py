@@ -17,6 +17,11 @@ def files_below(folder):
     return [os.path.join(place, name) for place, _, names in os.walk(folder) for name in names]
 
 
+with open(PROGRAM, "rb") as program:
+    SANITIZED = b"__asan_init" in program.read()
+
+
+@unittest.skipIf(SANITIZED, "a sanitizer's library wants a sanitizer's program")
 class Install(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -57,6 +62,24 @@ class Install(unittest.TestCase):
         os.remove(picture)
 
 
+    def test_a_program_is_built_with_the_installed_library(self):
+        lib = os.path.join(self.holder.name, "usr", "lib")
+        env = {**os.environ, "PKG_CONFIG_LIBDIR": os.path.join(lib, "pkgconfig"),
+               "PKG_CONFIG_SYSROOT_DIR": self.holder.name}
+        flags = subprocess.run(["pkg-config", "--cflags", "--libs", "rectray"], env=env, capture_output=True, text=True,
+                               check=True).stdout.split()
+        with open("docs/library.md", encoding="utf-8") as file:
+            source = re.search(r"```c\n(.*?)```", file.read(), re.S)[1]
+        example = os.path.join(self.holder.name, "example")
+        run = subprocess.run(["cc", "-x", "c", "-", *flags, f"-Wl,-rpath,{lib}", "-o", example], input=source,
+                             text=True, capture_output=True, check=False)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        picture = subprocess.run([example, "scenes/original.json"], capture_output=True, check=True).stdout
+        self.assertTrue(picture.startswith(b"P6\n64 48\n255\n"))
+        os.remove(example)
+
+
+@unittest.skipIf(SANITIZED, "as above")
 class Uninstall(unittest.TestCase):
     def test_it_removes_every_file(self):
         with tempfile.TemporaryDirectory() as folder:

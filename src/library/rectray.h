@@ -1,8 +1,8 @@
 /* rectray as a library: scenes from files or text, pictures into memory, rays, and the walkthrough of a pixel as JSON.
  * No function has state of its own: what is told is told through the error, and scenes may be used by several threads,
  * each scene by any number of them at once, while none frees it. docs/library.md has examples in C and Python. */
-#ifndef RECTRAY_H
-#define RECTRAY_H
+#ifndef RECTRAY_RECTRAY_H
+#define RECTRAY_RECTRAY_H
 
 #ifdef __cplusplus
 extern "C" {
