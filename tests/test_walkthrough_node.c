@@ -88,7 +88,7 @@ static void the_reasons_of_a_scene_should_be_those_of_its_boxes(void)
     TEST_ASSERT_TRUE_MESSAGE(scene_load(&scene, "scenes/cornell.json", &error), error.text);
     scene.screen.columns = scene.screen.rows = 24;
     scene.grid = 1;
-    for (AccelKind kind = ACCEL_KDTREE; kind <= ACCEL_BVH; kind++) {
+    for (AccelKind kind = ACCEL_KDTREE; kind <= ACCEL_LBVH; kind++) {
         Accel accel;
         TEST_ASSERT_TRUE(accel_build(&accel, &scene, kind, 1, &error));
         for (int k = 0; k < 24 * 24; k++) {
@@ -169,7 +169,7 @@ static void the_events_of_all_pixels_should_be_as_many_as_the_renderer_counts(vo
         scene.screen.columns = 64;
         scene.screen.rows = 36;
         scene.grid = 1;
-        for (AccelKind kind = ACCEL_NONE; kind <= ACCEL_BVH; kind++)
+        for (AccelKind kind = ACCEL_NONE; kind <= ACCEL_LBVH; kind++)
             check_counts(paths[i], &scene, kind);
         scene_free(&scene);
     }
