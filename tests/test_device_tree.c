@@ -7,7 +7,7 @@
 
 #include "unity.h"
 
-enum { FACES = 500, FEW = 14, MANY = 30000, WIDTHS = 3 };
+enum { FACES = 500, FEW = 14, MANY = 80000, WIDTHS = 3 };
 
 static const int widths[WIDTHS] = {4, 8, 16};
 static Error error;

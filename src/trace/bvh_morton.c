@@ -25,6 +25,9 @@ enum { LARGE_RARE = 32 };
 /* The leaf size from which on there is no leaf, whatever it costs. */
 enum { MAX_LEAF = 8 };
 
+/* Fewer faces are sorted by one thread sooner than several start. */
+enum { MIN_PARALLEL = 1 << 16 };
+
 /* A subtree of fewer faces, or less than such a part of all, is built by one thread. */
 enum { MIN_TASK = 4096, TASKS = 32 };
 
@@ -304,7 +307,7 @@ static bool make_tree(Morton *morton, const Scene *scene, int threads)
 bool bvh_morton_build(Bvh *bvh, const Scene *scene, int threads, Error *error)
 {
     Morton morton = {.bvh = bvh};
-    bool ok = make_tree(&morton, scene, threads);
+    bool ok = make_tree(&morton, scene, scene->face_count < MIN_PARALLEL ? 1 : threads);
     bvh_boxes_free(&morton.boxes);
     free(morton.large);
     free(morton.keys);
