@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What a kept binary depends on, as hashes (FNV-1a, 64 bits: Fowler, Noll, Vo 1991). */
+/* What a kept binary depends on, as hashes of 64 bits (in the manner of FNV-1a: Fowler, Noll, Vo 1991). */
 typedef struct KernelCacheKey {
     uint64_t place;   /* device, driver, options, kernel: names the file */
     uint64_t sources; /* must be those that the file was made from */

@@ -2,6 +2,7 @@
 #include "opencl/opencl_program.h"
 
 #include "base/clock.h"
+#include "opencl/opencl_kept.h"
 #include "opencl/opencl_sources.h"
 #include "opencl/opencl_status.h"
 
@@ -92,38 +93,6 @@ static const char *root_of(const OpenclSession *session)
     return classifies ? "tile/render.cl" : "packet/render.cl";
 }
 
-static KernelCacheKey key_of(const OpenclSession *session, const char *sources, const char *options)
-{
-    const DeviceInfo *info = &session->info;
-    const char *place[] = {info->platform, info->name, info->version, info->driver, root_of(session), options};
-    KernelCacheKey key = {KERNEL_CACHE_HASH_START, KERNEL_CACHE_HASH_START};
-    for (size_t i = 0; i < sizeof place / sizeof place[0]; i++)
-        key.place = kernel_cache_hash(key.place, place[i]);
-    key.sources = kernel_cache_hash(key.sources, sources);
-    return key;
-}
-
-/* Builds what an earlier run has kept; false if there is none, or the device does not take it any more. */
-static bool build_kept(OpenclSession *session, const char *options)
-{
-    size_t size;
-    unsigned char *binary = kernel_cache_load(session->key, &size);
-    if (!binary)
-        return false;
-    cl_int taken = CL_SUCCESS, status;
-    session->program = clCreateProgramWithBinary(session->context, 1, &session->device, &size,
-                                                 (const unsigned char **)&binary, &taken, &status);
-    free(binary);
-    if (status == CL_SUCCESS && taken == CL_SUCCESS)
-        status = clBuildProgram(session->program, 1, &session->device, options, NULL, NULL);
-    if (status == CL_SUCCESS && taken == CL_SUCCESS)
-        return true;
-    if (session->program)
-        clReleaseProgram(session->program);
-    session->program = NULL;
-    return false;
-}
-
 static void notify_compiling(const OpenclSession *session)
 {
     char text[256];
@@ -134,7 +103,8 @@ static void notify_compiling(const OpenclSession *session)
 
 static bool build_program(OpenclSession *session, const char *sources, const char *options, Error *error)
 {
-    if (build_kept(session, options))
+    session->program = opencl_kept_program(&session->info, session->context, session->device, session->key, options);
+    if (session->program)
         return true;
     session->from_source = true;
     notify_compiling(session);
@@ -150,15 +120,8 @@ static bool build_program(OpenclSession *session, const char *sources, const cha
 
 void opencl_keep(OpenclSession *session)
 {
-    size_t size = 0;
-    if (!session->from_source ||
-        clGetProgramInfo(session->program, CL_PROGRAM_BINARY_SIZES, sizeof size, &size, NULL) != CL_SUCCESS ||
-        size == 0)
-        return;
-    unsigned char *binary = malloc(size);
-    if (binary && clGetProgramInfo(session->program, CL_PROGRAM_BINARIES, sizeof binary, &binary, NULL) == CL_SUCCESS)
-        kernel_cache_store(session->key, binary, size);
-    free(binary);
+    if (session->from_source)
+        opencl_keep_program(session->program, session->key);
     session->from_source = false;
 }
 
@@ -202,7 +165,7 @@ bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report,
     bool ok = sources != NULL;
     if (ok) {
         write_options(session, variant, report);
-        session->key = key_of(session, sources, report->build_options);
+        session->key = opencl_kept_key(&session->info, root_of(session), sources, report->build_options);
         ok = build_program(session, sources, report->build_options, error);
     }
     free(sources);
