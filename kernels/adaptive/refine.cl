@@ -135,7 +135,7 @@ static void trace_samples(const World *world, const Apex *apex, Refined *pixels,
 static void refine(const World *world, global uchar *rgb, global const int *list)
 {
     constant const Parameters *p = world->parameters;
-    int first = (int)get_global_id(0) * PACKETS, pixel_count = min(p->refine_count - first, PACKETS);
+    int first = world->item * PACKETS, pixel_count = min(p->refine_count - first, PACKETS);
     if (pixel_count <= 0)
         return;
     Apex apex = apex_at_eye(world);
@@ -156,6 +156,21 @@ static void refine(const World *world, global uchar *rgb, global const int *list
 
 /* A work-item for a block of the band's tiles; where refine_count says that there are pixels to refine, one for PACKETS
  * of them. Both in one kernel, for tracing a path is the most of it, and takes the longest to compile. */
+NOINLINE void render_item(const World *world, global uchar *rgb, global uchar *flags, global const int *list,
+                          volatile global uint *totals)
+{
+    constant const Parameters *p = world->parameters;
+    if (p->refine_count > 0) {
+        refine(world, rgb, list);
+    } else {
+        Area area = area_of_block(p, world->item, 0);
+        for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
+            for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
+                render_centres(world, column, row, rgb, flags);
+    }
+    add_counters(totals, world);
+}
+
 kernel FULL_LANES
 void render_adaptive(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
                      global const wide *planes, global const real *materials, global const real *lights,
@@ -165,14 +180,6 @@ void render_adaptive(constant Parameters *parameters, global const FaceRecord *f
 {
     uint counters[COUNTER_KINDS] = {0};
     World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights,
-                   view, tree_floats, tree_ints, counters};
-    if (parameters->refine_count > 0) {
-        refine(&world, rgb, list);
-    } else {
-        Area area = area_of_block(parameters, (int)get_global_id(0), 0);
-        for (int row = area.row; row < area.row + area.rows; row += TILE_ROWS)
-            for (int column = area.column; column < area.column + area.columns; column += TILE_COLUMNS)
-                render_centres(&world, column, row, rgb, flags);
-    }
-    add_counters(totals, &world);
+                   view, tree_floats, tree_ints, (int)get_global_id(0), counters};
+    render_item(&world, rgb, flags, list, totals);
 }

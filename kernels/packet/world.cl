@@ -15,6 +15,7 @@ typedef struct World {
     global const real *materials, *lights, *view; /* NULL in `cast` */
     global const float *tree_floats; /* the tree: bvh.cl and kdtree.cl say what is in it */
     global const int *tree_ints;
+    int item;       /* the number of the work-item */
     uint *counters; /* COUNTER_KINDS of them, this work-item's own */
 } World;
 
@@ -22,7 +23,7 @@ typedef struct World {
 static void add_counters(volatile global uint *totals, const World *world)
 {
     /* A processor takes some work-items in a row. They add to the same copy, which stays in its cache. */
-    size_t copy = get_global_id(0) / (LANES > 1 ? 4 : 1) % COUNTER_STRIPES;
+    size_t copy = (size_t)world->item / (LANES > 1 ? 4 : 1) % COUNTER_STRIPES;
     volatile global uint *stripe = totals + copy * COUNTER_STRIDE;
     for (int kind = 0; kind < COUNTER_KINDS; kind++)
         if (world->counters[kind])

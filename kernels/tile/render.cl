@@ -109,6 +109,14 @@ NOINLINE void render_block(const World *world, const Apex *apex, const Camera *c
 }
 
 /* One work-item per block of the band; surplus work-items do nothing. */
+NOINLINE void render_item(const World *world, global uchar *rgb, volatile global uint *totals)
+{
+    Apex apex = apex_at_eye(world);
+    Camera camera = camera_of(world);
+    render_block(world, &apex, &camera, world->item, rgb);
+    add_counters(totals, world);
+}
+
 kernel FULL_LANES
 void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
             global const wide *planes, global const real *materials, global const real *lights,
@@ -117,9 +125,6 @@ void render(constant Parameters *parameters, global const FaceRecord *faces, glo
 {
     uint counters[COUNTER_KINDS] = {0};
     World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights,
-                   view, tree_floats, tree_ints, counters};
-    Apex apex = apex_at_eye(&world);
-    Camera camera = camera_of(&world);
-    render_block(&world, &apex, &camera, (int)get_global_id(0), rgb);
-    add_counters(totals, &world);
+                   view, tree_floats, tree_ints, (int)get_global_id(0), counters};
+    render_item(&world, rgb, totals);
 }
