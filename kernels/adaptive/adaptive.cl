@@ -72,7 +72,7 @@ static void beam_of_pixels(const World *world, const Tile *tile, int packet, int
 
 /* Keeps those active lanes whose centre will do for the pixel. The pixels whose centres took the same path are a
  * group. */
-static void judge_pixels(const World *world, const Trail *trails, const Tile *tile, Mask *active)
+COMPILED_ONCE void judge_pixels(const World *world, const Trail *trails, const Tile *tile, Mask *active)
 {
     Mask rest[PACKETS];
     EACH_PACKET(k) {

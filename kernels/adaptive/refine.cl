@@ -46,8 +46,8 @@ static RayBounds bounds_of_rays(const Apex *a, const Path *paths, const Ray *ray
 }
 
 /* Renders the centres of a tile's pixels. flags: band_rows * columns bytes, 1 where a pixel needs more samples. */
-INLINE void render_centres(const World *world, int first_column, int first_row, global uchar *rgb,
-                           global uchar *flags)
+COMPILED_ONCE void render_centres(const World *world, int first_column, int first_row, global uchar *rgb,
+                                  global uchar *flags)
 {
     constant const Parameters *p = world->parameters;
     Apex apex = apex_at_eye(world);
@@ -107,7 +107,7 @@ static void add_samples(Refined *pixel, Vec colour, int count)
 }
 
 /* Traces samples first, first + 1, ... of each pixel, a packet for each: see adaptive_generator. */
-static void trace_samples(const World *world, const Apex *apex, Refined *pixels, int pixel_count, int first)
+COMPILED_ONCE void trace_samples(const World *world, const Apex *apex, Refined *pixels, int pixel_count, int first)
 {
     constant const Parameters *p = world->parameters;
     int count = min(p->grid - first, LANES);

@@ -23,7 +23,7 @@ typedef struct Apex {
     real edge_share, edge_off, edge_floor; /* what FaceSetup.edge_error is made of */
 } Apex;
 
-INLINE Apex apex_at(const wide *point, real spread, real length)
+COMPILED_ONCE Apex apex_at(const wide *point, real spread, real length)
 {
     Apex a = {(real)point[0], (real)point[1], (real)point[2], spread, length};
     wide rounded = fabs(point[0] - (wide)a.x) + fabs(point[1] - (wide)a.y) + fabs(point[2] - (wide)a.z);

@@ -57,7 +57,7 @@ INLINE uint children_met(const World *world, const RayBounds *b, int node, int p
 }
 
 /* Does the bundle miss all that is in the tree? */
-INLINE bool misses_all(const World *world, const RayBounds *b)
+COMPILED_ONCE bool misses_all(const World *world, const RayBounds *b)
 {
     for (int part = 0; part < NODE_WIDTH; part += LANES) {
         Lanes enter;

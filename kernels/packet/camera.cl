@@ -91,7 +91,7 @@ INLINE wide height_of(global const wide *normal, const wide *v)
 }
 
 /* The image of a camera in the plane of a face. */
-INLINE Camera camera_in_mirror(const World *world, int face, const Camera *camera)
+COMPILED_ONCE Camera camera_in_mirror(const World *world, int face, const Camera *camera)
 {
     Camera c = *camera;
     global const wide *n = world->planes + (size_t)face * PLANE_REALS;

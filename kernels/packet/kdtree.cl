@@ -78,7 +78,10 @@ INLINE Part part_in_tree(const World *world, const RayBounds *b)
 }
 
 /* Does the bundle miss all that is in the tree? */
-INLINE bool misses_all(const World *world, const RayBounds *b) { return part_is_empty(b, part_in_tree(world, b)); }
+COMPILED_ONCE bool misses_all(const World *world, const RayBounds *b)
+{
+    return part_is_empty(b, part_in_tree(world, b));
+}
 
 /* A stack that holds the root alone. */
 INLINE Stack stack_of(const World *world, const RayBounds *b)

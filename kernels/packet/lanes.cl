@@ -122,7 +122,7 @@ INLINE Mask lane_numbers(void)
 #define HAS_MOVEMASK 1
 #endif
 
-static uint mask_bits(Mask mask)
+INLINE uint mask_bits(Mask mask)
 {
 #if LANES == 1
     return mask & 1;
@@ -145,13 +145,13 @@ static uint mask_bits(Mask mask)
 #define ANY(mask) (mask_bits(mask) != 0)
 
 /* How many lanes of the mask are set. */
-static uint mask_count(Mask mask) { return popcount(mask_bits(mask)); }
+INLINE uint mask_count(Mask mask) { return popcount(mask_bits(mask)); }
 
 /* The number of the lowest bit that is set. There is one. */
-static int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
+INLINE int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
 
 /* The number in the first lane of the mask. There is one. */
-static int first_of(Mask numbers, Mask mask)
+INLINE int first_of(Mask numbers, Mask mask)
 {
     MaskElement n[LANES];
     STORE(numbers, n);
@@ -167,14 +167,14 @@ INLINE Mask take_same(Mask numbers, Mask *rest, int *number)
     return same;
 }
 
-static real real_at(Lanes x, int lane)
+INLINE real real_at(Lanes x, int lane)
 {
     real values[LANES];
     STORE(x, values);
     return values[lane];
 }
 
-static wide wide_at(Wide x, int lane)
+INLINE wide wide_at(Wide x, int lane)
 {
     wide values[LANES];
     STORE(x, values);
@@ -182,7 +182,7 @@ static wide wide_at(Wide x, int lane)
 }
 
 /* The lowest value of all lanes, by halves: with LESSER and mask_bits, that took a quarter from the time of gallery. */
-static real lanes_lowest(Lanes x)
+INLINE real lanes_lowest(Lanes x)
 {
 #if LANES == 1
     return x;

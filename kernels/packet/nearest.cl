@@ -126,8 +126,8 @@ INLINE bool traverse_nearest(const World *world, const Apex *a, const Group *g, 
  * and then, for the lanes with near ties, among all faces once more. bounds: of all rays. resume: a search to go
  * on with; NULL: the whole tree. Afterwards the packets' active lanes are no longer what they were. There is one call
  * in a loop, so that the search is compiled once. */
-INLINE void find_nearest_from(const World *world, const Apex *a, const Group *all, const RayBounds *bounds,
-                              const Traversal *resume, bool cull_boxes)
+COMPILED_ONCE void find_nearest_from(const World *world, const Apex *a, const Group *all, const RayBounds *bounds,
+                                     const Traversal *resume, bool cull_boxes)
 {
     EACH_PACKET(p)
         all->near_ties[p] = (Mask)0;

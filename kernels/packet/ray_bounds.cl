@@ -68,7 +68,7 @@ INLINE void bounds_cull_sides(RayBounds *b, bool reversed)
 }
 
 /* Bounds of rays from an apex whose directions lie between two, axis by axis. */
-INLINE RayBounds bounds_within(const Apex *a, const real *low, const real *high)
+COMPILED_ONCE RayBounds bounds_within(const Apex *a, const real *low, const real *high)
 {
     real at[3] = {a->x, a->y, a->z};
     RayBounds b;

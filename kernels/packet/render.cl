@@ -26,8 +26,8 @@
 #include "packet/world.cl"
 
 /* The tile that begins there; rgb: band_rows * columns * 3 bytes. */
-INLINE void render_tile(const World *world, const Apex *apex, const Camera *camera, int first_column, int first_row,
-                        global uchar *rgb)
+COMPILED_ONCE void render_tile(const World *world, const Apex *apex, const Camera *camera, int first_column,
+                               int first_row, global uchar *rgb)
 {
     constant const Parameters *p = world->parameters;
     Mask inside[PACKETS];

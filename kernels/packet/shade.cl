@@ -196,8 +196,8 @@ INLINE Vec illuminate(const World *world, const Surface *surface, global const r
 
 /* The illumination of the active lanes of `points` by all lights. apex: as find_surface. near_ties: the lanes whose
  * points rounding may have put into a closed box. */
-INLINE void shade(const World *world, const Surface *surfaces, const wide *apex, const Path *paths, LazyPoints *points,
-                  const Mask *near_ties, Illumination *sums)
+COMPILED_ONCE void shade(const World *world, const Surface *surfaces, const wide *apex, const Path *paths,
+                         LazyPoints *points, const Mask *near_ties, Illumination *sums)
 {
     const Mask *active = points->active;
     EACH_PACKET(p) {

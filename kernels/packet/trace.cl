@@ -116,8 +116,8 @@ INLINE void find_nearest(const World *world, const Eye *eye, bool from_eye, cons
 /* Adds to each path's total the colours of its hits, each weighted by the mirrors before it. bounces: how many
  * mirrors the rays have met already. resume: for the first search, as find_nearest_from. trails: of each packet, or
  * NULL. */
-static void trace_paths(const World *world, const Eye *eye, int bounces, Path *paths, Ray *rays,
-                        const Traversal *resume, Trail *trails)
+COMPILED_ONCE void trace_paths(const World *world, const Eye *eye, int bounces, Path *paths, Ray *rays,
+                               const Traversal *resume, Trail *trails)
 {
     constant const Parameters *parameters = world->parameters;
     Vec background = vec_row(world->view + VIEW_BACKGROUND);

@@ -43,7 +43,7 @@ typedef struct Frustum {
 
 /* The frustum of a window. Each component of a direction rises or falls with either place, and so does its rounding: it
  * has its extremes at the corners. */
-INLINE Frustum camera_frustum(const Camera *c, const Window *window)
+COMPILED_ONCE Frustum camera_frustum(const Camera *c, const Window *window)
 {
     const wide *x = window->x, *y = window->y, *forward = c->forward, *right = c->right, *up = c->up;
     wide4 across = (wide4)(x[0], x[1], x[0], x[1]), down = (wide4)(y[0], y[0], y[1], y[1]);

@@ -26,7 +26,7 @@ typedef struct Exact {
 enum { EXPANSION_TERMS = 6 * 8 * 4 };
 
 /* a + b exactly (Knuth, The Art of Computer Programming, volume 2, section 4.2.2). */
-static Pair two_sum(wide a, wide b)
+INLINE Pair two_sum(wide a, wide b)
 {
     Pair s;
     s.high = a + b;
@@ -37,7 +37,7 @@ static Pair two_sum(wide a, wide b)
 }
 
 /* a b exactly. */
-static Pair two_product(wide a, wide b)
+INLINE Pair two_product(wide a, wide b)
 {
     Pair p;
     p.high = a * b;
@@ -117,7 +117,7 @@ NOINLINE int determinant_sign(const Exact *a, const Exact *b, const Exact *c)
     return (value > 0) - (value < 0);
 }
 
-static void face_corner(global const real *row, int k, wide *corner)
+INLINE void face_corner(global const real *row, int k, wide *corner)
 {
     for (int axis = 0; axis < 3; axis++)
         corner[axis] = (wide)row[FACE_VERTICES + 4 * axis + k];

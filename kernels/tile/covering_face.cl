@@ -87,8 +87,8 @@ INLINE bool test_covering_face(const World *world, CoverSearch *s, int i, bool *
 
 /* Finds the covering face in a search that goes on from `resume`. False: the rays may hit different faces first; then
  * `resume` leads to all faces that have not been ruled out. rays: so many the frustum stands for. */
-INLINE bool find_covering_face(const World *world, const Apex *a, const Frustum *corners, int from, uint rays,
-                               CoveringFace *found, Traversal *resume)
+COMPILED_ONCE bool find_covering_face(const World *world, const Apex *a, const Frustum *corners, int from, uint rays,
+                                      CoveringFace *found, Traversal *resume)
 {
     CoverSearch s;
     s.apex = a;

@@ -48,7 +48,7 @@ typedef struct Facet {
 } Facet;
 
 /* camera: its image after so many bounces. The lights are still to be added. */
-INLINE void make_facet(const World *world, CoveringFace seen, const Camera *camera, int bounces, Facet *f)
+COMPILED_ONCE void make_facet(const World *world, CoveringFace seen, const Camera *camera, int bounces, Facet *f)
 {
     f->face = seen.face;
     f->last = true;

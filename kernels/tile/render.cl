@@ -30,8 +30,8 @@
 #include "tile/uniform_tile.cl"
 
 /* Renders the tile that begins there. classification: of the area around it. rgb: band_rows * columns * 3 bytes. */
-INLINE void render_tile(const World *world, const Apex *apex, const Camera *camera,
-                        const Classification *classification, int first_column, int first_row, global uchar *rgb)
+COMPILED_ONCE void render_tile(const World *world, const Apex *apex, const Camera *camera,
+                               const Classification *classification, int first_column, int first_row, global uchar *rgb)
 {
     constant const Parameters *p = world->parameters;
     Mask inside[PACKETS];

@@ -96,8 +96,8 @@ INLINE ShadowClass shadow_of_face(const World *world, const LightFrustum *f, int
 }
 
 /* Classifies a patch for so many rays. PARTLY_SHADOWED: what may block the light is left on the stack. */
-INLINE ShadowClass classify_shadow(const World *world, const Patch *patch, const wide *light, bool cull_boxes,
-                                   uint rays, Stack *stack)
+COMPILED_ONCE ShadowClass classify_shadow(const World *world, const Patch *patch, const wide *light, bool cull_boxes,
+                                          uint rays, Stack *stack)
 {
     LightFrustum f = frustum_from_light(patch, light, cull_boxes);
     RayBounds b = bounds_of_frustum(&f.apex, &f.corners, f.spread);
