@@ -19,7 +19,7 @@ typedef struct PoclBinary {
     unsigned char *bytes; /* the caller frees them */
     size_t size;
     char code_path[POCL_CODE_PATH_BYTES]; /* where PoCL unpacks the machine code, below the folder of its own cache */
-    size_t code_size; /* the code is the last so many bytes */
+    size_t code_size;                     /* the code is the last so many bytes */
 } PoclBinary;
 
 /* Is that a driver whose binaries may be trimmed, and is PoCL not told to work in another way by its environment? */
