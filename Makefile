@@ -44,6 +44,10 @@ COMPILE = $(CC) $(STANDARD) $(WARNINGS) $(WERROR) $(CFLAGS) $(INSTRUMENT) -MMD -
 LINK    = $(CC) $(CFLAGS) $(INSTRUMENT) $(LDFLAGS)
 LIBS    = $(LIB_LIBS) -lm -pthread
 
+# For $(MAKE): on all processors, or on as many as -j says, and without its own words.
+CORES = $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+ALL_CORES = --no-print-directory $(if $(V),,--silent) $(if $(findstring -j,$(MAKEFLAGS)),,-j$(CORES))
+
 # --- Set-up ---------------------------------------------------------------------------------------------------
 
 # `render`, `test` and their like begin with this: it installs what is missing, and does nothing where nothing is.
@@ -72,7 +76,8 @@ OBJECTS := $(patsubst src/%.c,$(BUILD)/src/%.o,$(wildcard src/*.c src/*/*.c))
 LIBRARY_OBJECTS := $(filter-out %/main.o,$(OBJECTS)) $(BUILD)/kernel_sources.o $(BUILD)/page_template.o
 
 .PHONY: all
-all: $(PROGRAM) ## build build/rectray (the default)
+all: ## build build/rectray, on all processors (the default)
+	@$(MAKE) $(ALL_CORES) $(PROGRAM)
 
 $(PROGRAM): $(BUILD)/src/main.o $(LIBRARY)
 	$(call say,link,$@)
@@ -140,7 +145,7 @@ $(BUILD)/kernel_sources.c: kernels/embed.sh $(KERNEL_FILES)
 .PHONY: render
 render: ## render SCENE (default scenes/cornell.json) to OUT (default build/NAME.png)
 	@$(SETUP) build run
-	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	@$(MAKE) $(ALL_CORES) $(PROGRAM)
 	@mkdir -p $(dir $(OUT))
 	$(PROGRAM) render $(SCENE) -o $(OUT)
 	@echo "The picture is $(abspath $(OUT))"
@@ -148,7 +153,7 @@ render: ## render SCENE (default scenes/cornell.json) to OUT (default build/NAME
 .PHONY: trace
 trace: ## tell step by step how PIXEL (default 320,240) of SCENE gets its colour
 	@$(SETUP) build
-	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	@$(MAKE) $(ALL_CORES) $(PROGRAM)
 	$(PROGRAM) trace $(SCENE) --pixel $(PIXEL)
 
 SHARE := $(DESTDIR)$(PREFIX)/share
@@ -201,7 +206,7 @@ RERUN ?= make test
 test: ## run all tests, or one suite: make test suite=NAME
 	@$(SETUP) build run test
 	@$(if $(PAGE_TO_TEST),$(MAKE) --no-print-directory --silent $(PAGE_TO_TEST))
-	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(UNIT_TESTS) $(SCRIPT_TEST_PROGRAMS)
+	@$(MAKE) $(ALL_CORES) $(PROGRAM) $(UNIT_TESTS) $(SCRIPT_TEST_PROGRAMS)
 	@RECTRAY=$(abspath $(PROGRAM)) RERUN="$(RERUN)" tests/support/run $(UNIT_TESTS) $(SCRIPT_TESTS)
 
 SEED  ?= 1
@@ -211,7 +216,7 @@ TEST  ?=
 .PHONY: stress
 stress: ## try the geometry by millions of rays, judged by exact arithmetic (SEED=1 TEST=NAME SCALE=1; minutes)
 	@$(SETUP) build run test
-	@$(MAKE) --no-print-directory --silent $(STRESS) $(PROGRAM)
+	@$(MAKE) $(ALL_CORES) $(STRESS) $(PROGRAM)
 	@$(STRESS) --seed $(SEED) --scale $(SCALE) $(if $(TEST),--test $(TEST))
 
 # $(call plots,FOLDER) draws there what the last `bench --ladder` measured.
@@ -220,7 +225,7 @@ plots = for plot in ladder scaling; do gnuplot -e "folder='build/bench'; out='$(
 .PHONY: bench
 bench: ## measure the ladder of scenes: tables here, plots in build/bench/ (many minutes)
 	@$(SETUP) build run bench
-	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	@$(MAKE) $(ALL_CORES) $(PROGRAM)
 	$(PROGRAM) bench --ladder --folder build/bench
 	@$(call plots,build/bench)
 
