@@ -21,12 +21,16 @@ ArithmeticName bench_arithmetic_name(const ArithmeticRow *row)
 static void list_rows(ErrorArithmetic *result)
 {
     static const ArithmeticRow rows[ARITHMETIC_ROWS] = {
-        [ROW_TEXTBOOK_FLOAT] = {KERNEL_PLAIN, ARITHMETIC_TEXTBOOK, PRECISION_FLOAT},
-        [ROW_EXACT_FLOAT] = {KERNEL_PLAIN, ARITHMETIC_EXACT, PRECISION_FLOAT},
-        [ROW_TEXTBOOK_DOUBLE] = {KERNEL_PLAIN, ARITHMETIC_TEXTBOOK, PRECISION_DOUBLE},
-        [ROW_EXACT_DOUBLE] = {KERNEL_PLAIN, ARITHMETIC_EXACT, PRECISION_DOUBLE},
-        [ROW_PACKET_FLOAT] = {KERNEL_PACKET, ARITHMETIC_EXACT, PRECISION_FLOAT},
-        [ROW_PACKET_DOUBLE] = {KERNEL_PACKET, ARITHMETIC_EXACT, PRECISION_DOUBLE},
+        [ROW_TEXTBOOK_FLOAT] = {.kernel = KERNEL_PLAIN,
+                                .arithmetic = ARITHMETIC_TEXTBOOK,
+                                .precision = PRECISION_FLOAT},
+        [ROW_EXACT_FLOAT] = {.kernel = KERNEL_PLAIN, .arithmetic = ARITHMETIC_EXACT, .precision = PRECISION_FLOAT},
+        [ROW_TEXTBOOK_DOUBLE] = {.kernel = KERNEL_PLAIN,
+                                 .arithmetic = ARITHMETIC_TEXTBOOK,
+                                 .precision = PRECISION_DOUBLE},
+        [ROW_EXACT_DOUBLE] = {.kernel = KERNEL_PLAIN, .arithmetic = ARITHMETIC_EXACT, .precision = PRECISION_DOUBLE},
+        [ROW_PACKET_FLOAT] = {.kernel = KERNEL_PACKET, .arithmetic = ARITHMETIC_EXACT, .precision = PRECISION_FLOAT},
+        [ROW_PACKET_DOUBLE] = {.kernel = KERNEL_PACKET, .arithmetic = ARITHMETIC_EXACT, .precision = PRECISION_DOUBLE},
     };
     for (int i = 0; i < ARITHMETIC_ROWS; i++)
         result->row[i] = rows[i];
