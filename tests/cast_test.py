@@ -20,6 +20,11 @@ class Cast(CommandTest):
         self.assertEqual(lines[0], self.HEADER)
         return [line.split(",") for line in lines[1:]], err
 
+    def test_rays_with_commas_are_told_of_blanks(self):
+        for line in ("1000,0.5,5,0,0,-1", "1000, 0.5, 5, 0, 0, -1", "1000,25 0 5 0 0 -1"):
+            self.assertIn("is not a finite number; blanks separate the numbers, and a point their fractions",
+                          self.cast(line + "\n", "-b", "reference", status=1)[1])
+
     def test_hits_and_misses_on_both_backends(self):
         rays = "1000.25 0.5 2 0 0 -1\n\n1000.75 0.25 -1 0 0 4\n1000.75 0.25 1 0 0 1\n1000.75 0.25 -1 0.0 0 -0.5\n"
         for words in (["-b", "reference"], ["--precision", "double"], []):
