@@ -28,7 +28,7 @@ double bytes_value(const char *bytes, BytesType type, bool big_endian)
         return (int32_t)bits;
     case BYTES_FLOAT32:
         memcpy(&single, &half, sizeof single);
-        return single;
+        return (double)single;
     case BYTES_FLOAT64:
         memcpy(&value, &bits, sizeof value);
         return value;

@@ -129,7 +129,7 @@ static bool read_odd_number(LineScan *scan, double *value)
         char *end;
         odd = isinf(strtod(word.text, &end)) && end == word.text + word.length;
     }
-    *value = NAN;
+    *value = (double)NAN;
     return odd || scan_fail(scan, line, "%s is not a finite number%s", scan_quote(word).text,
                             memchr(word.text, ',', (size_t)word.length) ? "; write a point, not a comma" : "");
 }

@@ -202,7 +202,8 @@ static bool read_list(PlyReader *ply, const Property *list, bool is_face)
 static bool read_element(PlyReader *ply, bool is_vertex, bool is_face)
 {
     static const char *const axes[] = {"x", "y", "z", "none"};
-    double c[4] = {NAN, NAN, NAN, 0};
+    const double none = (double)NAN;
+    double c[4] = {none, none, none, 0};
     for (int i = 0; i < ply->element->property_count; i++) {
         const Property *property = &ply->element->properties[i];
         bool is_list = property->count_type >= 0, indices = strncmp(property->name, "vertex_ind", 10) == 0;
