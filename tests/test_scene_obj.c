@@ -91,6 +91,19 @@ static void other_lines_blanks_and_line_ends_should_not_matter(void)
     TEST_ASSERT_TRUE(build.points[4].x == 1.5 && build.points[4].y == 0.5 && build.points[4].z == 2);
 }
 
+static void faces_below_and_above_their_vertices_should_keep_their_order(void)
+{
+    TEST_ASSERT_TRUE_MESSAGE(read_model("f 1 2 3\nf 1 2 5\nf 2 3 4\nv 0 0 1\nf 3 4 1\n"), error.text);
+    static const int places[4] = {5, 6, 7, 9};
+    TEST_ASSERT_EQUAL(4, build.face_count);
+    for (int i = 0; i < 4; i++) {
+        TEST_ASSERT_EQUAL(i, build.faces[i].number);
+        TEST_ASSERT_EQUAL(places[i], build.faces[i].place);
+    }
+    assert_points(1, 0, 1, 4, 0);
+    assert_points(2, 1, 2, 3, 0);
+}
+
 static void the_transform_should_move_the_model(void)
 {
     build.object.transform = transform_translate(vec3(10, 20, 30));
@@ -216,6 +229,7 @@ int main(void)
     RUN_TEST(every_form_of_a_reference_should_name_its_vertex);
     RUN_TEST(negative_references_should_count_from_the_last_vertex_so_far);
     RUN_TEST(other_lines_blanks_and_line_ends_should_not_matter);
+    RUN_TEST(faces_below_and_above_their_vertices_should_keep_their_order);
     RUN_TEST(the_transform_should_move_the_model);
     RUN_TEST(usemtl_should_look_in_the_scene_then_in_the_library_then_at_the_object);
     RUN_TEST(a_library_should_serve_its_own_model_only);

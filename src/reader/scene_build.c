@@ -78,9 +78,11 @@ void scene_build_end_parts(SceneBuild *build)
 {
     Scene *scene = build->scene;
     const Object *object = &scene->objects[scene->object_count - 1];
-    ScenePart *parts = scene->parts + build->first_part;
     int count = scene->part_count - build->first_part;
-    if (count > 0 && parts[count - 1].first_face == build->face_count)
+    if (count == 0)
+        return;
+    ScenePart *parts = scene->parts + build->first_part;
+    if (parts[count - 1].first_face == build->face_count)
         free(parts[--count].name);
     bool one = count > 0 && parts[0].first_face == object->first_face;
     for (int i = 1; i < count; i++)
