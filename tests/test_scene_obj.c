@@ -91,6 +91,19 @@ static void other_lines_blanks_and_line_ends_should_not_matter(void)
     TEST_ASSERT_TRUE(build.points[4].x == 1.5 && build.points[4].y == 0.5 && build.points[4].z == 2);
 }
 
+static void a_weight_should_divide_and_a_colour_should_not(void)
+{
+    TEST_ASSERT_TRUE_MESSAGE(
+        read_model("v 2 4 6 2\nv 1 2 3 0.5 0.5 0.5\nv 1 2 4 0.5 0.5 0.5 1\nv nan 0 0\nv 0 0 0 0\nf 5 7 1\n"),
+        error.text);
+    TEST_ASSERT_TRUE(build.points[4].x == 1 && build.points[4].y == 2 && build.points[4].z == 3);
+    TEST_ASSERT_TRUE(build.points[5].x == 1 && build.points[5].y == 2 && build.points[5].z == 3);
+    TEST_ASSERT_TRUE(build.points[6].x == 1 && build.points[6].y == 2 && build.points[6].z == 4);
+    TEST_ASSERT_EQUAL(9, scene_build_point_count(&build)); /* those that are none, too */
+    TEST_ASSERT_EQUAL(1, scene.notes.count);
+    TEST_ASSERT_EQUAL(2, scene.notes.items[0].count);
+}
+
 static void faces_below_and_above_their_vertices_should_keep_their_order(void)
 {
     TEST_ASSERT_TRUE_MESSAGE(read_model("f 1 2 3\nf 1 2 5\nf 2 3 4\nv 0 0 1\nf 3 4 1\n"), error.text);
@@ -229,6 +242,7 @@ int main(void)
     RUN_TEST(every_form_of_a_reference_should_name_its_vertex);
     RUN_TEST(negative_references_should_count_from_the_last_vertex_so_far);
     RUN_TEST(other_lines_blanks_and_line_ends_should_not_matter);
+    RUN_TEST(a_weight_should_divide_and_a_colour_should_not);
     RUN_TEST(faces_below_and_above_their_vertices_should_keep_their_order);
     RUN_TEST(the_transform_should_move_the_model);
     RUN_TEST(usemtl_should_look_in_the_scene_then_in_the_library_then_at_the_object);

@@ -85,7 +85,7 @@ static TextBlock last_block(TextBlocks *blocks)
 {
     TextBlock block = {blocks->rest, blocks->rest + blocks->rest_length};
     if (blocks->rest_length == 0)
-        return block;
+        return (TextBlock){NULL, NULL};
     if (block.end[-1] != '\n')
         *block.end++ = '\n';
     if (block.end - block.at > 1 && block.end[-2] == '\\') /* nothing continues it */

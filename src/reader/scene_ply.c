@@ -95,7 +95,7 @@ static bool add_property(PlyReader *ply, const char *name, const char *type, con
 {
     static const char *const used[] = {"x", "y", "z", "vertex_indices", "vertex_index", "nx",    "ny",   "nz",   "s",
                                        "t", "u", "v", "texture_u",      "texture_v",    "green", "blue", "alpha"};
-    Element *element = &ply->elements[ply->element_count - 1];
+    Element *element = ply->elements + (ply->element_count > 0 ? ply->element_count - 1 : 0);
     if (ply->element_count == 0 || element->property_count == MAX_PROPERTIES)
         return fail(ply, "a property of no element, or more than %d of one", MAX_PROPERTIES);
     Property *property = &element->properties[element->property_count++];
