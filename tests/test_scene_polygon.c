@@ -101,7 +101,10 @@ static void a_face_that_rounding_takes_should_leave_no_gap(void)
         TEST_ASSERT_EQUAL(1, scene.objects[i].face_count);
         TEST_ASSERT_TRUE(scene.planes[i].length > 1e9);
     }
+    TEST_ASSERT_EQUAL(1, scene.part_count); /* the speck's has no face left */
     TEST_ASSERT_EQUAL_STRING("large", scene_part_of(&scene, 1));
+    TEST_ASSERT_NULL(scene_part_of(&scene, 2));
+    TEST_ASSERT_EQUAL(1, scene.objects[1].first_number);
     TEST_ASSERT_EQUAL_STRING("too-small", scene.notes.items[0].kind->name);
     TEST_ASSERT_EQUAL_STRING("m.obj", scene.notes.items[0].path);
     TEST_ASSERT_EQUAL(7, scene.notes.items[0].places[0].line);

@@ -221,6 +221,18 @@ class Json(CommandTest):
             self.assertEqual("%.17g" % float(number), number)
 
 
+class Pieces(CommandTest):
+    def test_a_cut_face_says_which_piece_is_hit(self):
+        words = ("trace", os.path.join(HERE, "tests/scenes/polygons.json"), "--pixel", "20,12", "-q")
+        self.assertIn("The nearest is piece 1 of 5 of face 0, wall with a window/0, material wall:",
+                      " ".join(self.run_program(*words, "-v")[0].decode().split()))
+        events = json.loads(self.run_program(*words, "--format", "json")[0])["events"]
+        hit = next(event for event in events if event["event"] == "hit")
+        self.assertEqual((hit["face"], hit["piece"], hit["pieces"]), (0, 1, 5))
+        words = ("trace", os.path.join(HERE, "scenes/original.json"), "--pixel", "40,36", "--format", "json")
+        self.assertNotIn(b'"piece"', self.run_program(*words)[0])
+
+
 class Drawings(CommandTest):
     def test_the_obj_names_vertices_that_are_there(self):
         for scene in SCENES:

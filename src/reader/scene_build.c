@@ -43,7 +43,8 @@ bool scene_build_object(SceneBuild *build, const char *name, SceneBuildObject ob
     char *copy = text_copy(name, build->error);
     if (!copy)
         return false;
-    scene->objects[scene->object_count++] = (Object){.name = copy, .first_face = build->face_count};
+    scene->objects[scene->object_count++] =
+        (Object){.name = copy, .first_face = build->face_count, .first_number = build->next_number};
     build->first_part = scene->part_count;
     object.mirrored = transform_mirrors(&object.transform);
     object.first_point = build->point_count;

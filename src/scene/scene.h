@@ -53,6 +53,7 @@ typedef struct Object {
     char *name;     /* never NULL: an unnamed object is "objects[INDEX]" */
     int first_face; /* index into Scene.faces */
     int face_count;
+    int first_number; /* of its faces in the file; that one may have been left out */
 } Object;
 
 /* A named part of a model: the faces from first_face to the next part, or to the end of the object. */

@@ -133,6 +133,12 @@ static void find_owner(Search *search, const Scene *scene, const char *name, siz
     }
 }
 
+/* A face's, as the file counts them. */
+static int last_number(const Scene *scene)
+{
+    return scene->face_count > 0 ? scene->faces[scene->face_count - 1].number : -1;
+}
+
 /* Finds the object, its part, and the number of the face in it, that the wish names. */
 static bool find_face(Search *search, const Scene *scene, Error *error)
 {
@@ -143,7 +149,7 @@ static bool find_face(Search *search, const Scene *scene, Error *error)
     const char *slash = strrchr(name, '/');
     char *end = NULL;
     long number = slash ? strtol(slash + 1, &end, 10) : -1;
-    bool numbered = slash && end != slash + 1 && *end == '\0' && number >= 0 && number <= scene->face_count;
+    bool numbered = slash && end != slash + 1 && *end == '\0' && number >= 0 && number <= last_number(scene);
     size_t length = numbered ? (size_t)(slash - name) : strlen(name);
     find_owner(search, scene, name, length);
     if (search->object < 0)

@@ -249,7 +249,17 @@ Vec3 walkthrough_world(const Scene *scene, Vec3 position)
 int walkthrough_face_in_object(const Scene *scene, int face)
 {
     const Object *object = &scene->objects[scene->faces[face].object];
-    return scene->faces[face].number - scene->faces[object->first_face].number;
+    return scene->faces[face].number - object->first_number;
+}
+
+WalkthroughPiece walkthrough_piece(const Scene *scene, int face)
+{
+    int first = face, end = face + 1, number = scene->faces[face].number;
+    while (first > 0 && scene->faces[first - 1].number == number)
+        first--;
+    while (end < scene->face_count && scene->faces[end].number == number)
+        end++;
+    return (WalkthroughPiece){face - first + 1, end - first};
 }
 
 double walkthrough_scene_size(const Scene *scene)

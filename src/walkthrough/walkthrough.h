@@ -104,6 +104,13 @@ Vec3 walkthrough_world(const Scene *scene, Vec3 position);
 /* The face's number within its object, from 0, as the scene file lists them. */
 int walkthrough_face_in_object(const Scene *scene, int face);
 
+/* A face as traced is piece `number`, from 1, of `count` of the face in the file; 1 of 1 where that was not cut. */
+typedef struct WalkthroughPiece {
+    int number, count;
+} WalkthroughPiece;
+
+WalkthroughPiece walkthrough_piece(const Scene *scene, int face);
+
 /* Whether the ray meets the face within its edges, nearest or not. */
 bool walkthrough_is_hit(const FaceTest *test);
 

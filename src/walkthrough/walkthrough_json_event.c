@@ -16,6 +16,11 @@ static void put_face(JsonNode node, const Scene *scene, int face)
     if (scene_part_of(scene, face))
         json_node_text(node, "part", scene_part_of(scene, face));
     json_node_number(node, "face_in_object", walkthrough_face_in_object(scene, face));
+    WalkthroughPiece piece = walkthrough_piece(scene, face);
+    if (piece.count > 1) {
+        json_node_number(node, "piece", piece.number);
+        json_node_number(node, "pieces", piece.count);
+    }
 }
 
 static void put_test(JsonNode node, const FaceTest *test)

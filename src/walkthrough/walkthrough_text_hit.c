@@ -157,7 +157,11 @@ void walkthrough_text_hit(WalkthroughText *text, const Event *event)
     int number = event->as.hit.step + 1;
     const Face *face = &scene->faces[event->as.hit.face];
     fputc('\n', text->ink.out);
-    ink_paragraph(&text->ink, "    The nearest is face %d, %s, material %s:", face->number,
+    WalkthroughPiece piece = walkthrough_piece(scene, event->as.hit.face);
+    InkText of = {""};
+    if (piece.count > 1)
+        of = ink_text("piece %d of %d of ", piece.number, piece.count);
+    ink_paragraph(&text->ink, "    The nearest is %sface %d, %s, material %s:", of.text, face->number,
                   walkthrough_face_words(scene, event->as.hit.face, 40).text,
                   ink_name(scene->materials[face->material].name, 24).text);
     fputc('\n', text->ink.out);
