@@ -1,5 +1,6 @@
 /* What `rectray check` tells, as one JSON document: docs/check.schema.json. */
 #include "command/check_report.h"
+#include "command/hint_words.h"
 #include "opencl/device_scene.h"
 #include "json/json_node.h"
 
@@ -135,6 +136,12 @@ bool check_report_json(const CheckReport *report, bool every, Error *error)
     add_needs(json_node_object(node, "needs"), report);
     add_skippable(json_node_object(node, "can_skip"), report);
     add_notes(json_node_array(node, "notes"), &report->scene->notes, every);
+    JsonNode hints = json_node_array(node, "hints");
+    for (int i = 0; i < report->hints.count; i++) {
+        JsonNode hint = json_node_append_object(hints);
+        json_node_text(hint, "kind", hint_names[report->hints.list[i].kind]);
+        json_node_text(hint, "text", hint_words(report->scene, &report->hints.list[i]).text);
+    }
     return print_node(node) || error_memory(error, "the report as JSON");
 }
 

@@ -1,6 +1,7 @@
 /* What `rectray check` tells of a valid scene, as text. */
 #include "base/text.h"
 #include "command/check_report.h"
+#include "command/hint_words.h"
 #include "opencl/device_scene.h"
 #include "trace/adaptive.h"
 #include "trace/reference_render.h"
@@ -171,12 +172,14 @@ bool check_report_make(CheckReport *report, const char *path, const Scene *scene
     for (int i = 0; i < scene->face_count; i++)
         report->closed += closed[i] != 0;
     free(closed);
-    return count_primary_rays(report, error) && survey_scene(&report->survey, scene, error);
+    return count_primary_rays(report, error) && survey_scene(&report->survey, scene, error) &&
+           hints_find(&report->hints, scene, error);
 }
 
 void check_report_free(CheckReport *report)
 {
     survey_free(&report->survey);
+    hints_free(&report->hints);
 }
 
 bool check_black_lights_are_useless(const CheckReport *report)
@@ -190,4 +193,8 @@ void check_report_text(const CheckReport *report)
     print_contents(report->scene, &report->survey);
     print_needs(report);
     print_skippable(report);
+    if (report->hints.count > 0)
+        printf("hints\n");
+    for (int i = 0; i < report->hints.count; i++)
+        printf("  %s\n", hint_words(report->scene, &report->hints.list[i]).text);
 }

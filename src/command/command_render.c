@@ -4,6 +4,7 @@
 #include "base/output.h"
 #include "base/text.h"
 #include "command/command.h"
+#include "command/hint_words.h"
 #include "command/progress.h"
 #include "command/render_maps.h"
 #include "command/render_watch.h"
@@ -24,10 +25,23 @@ typedef struct Painter {
     Progress progress;
     double encode_ms;
     bool quiet;
-    int rows;       /* of the whole picture */
-    Image marked;   /* the whole picture, where a pixel of it is to be marked; else without pixels */
-    double *linear; /* the whole picture in linear colours, where they are written; else NULL */
+    int columns, rows;       /* of the whole picture */
+    unsigned char colour[3]; /* of its first pixel */
+    bool varies;             /* some pixel has another colour */
+    Image marked;            /* the whole picture, where a pixel of it is to be marked; else without pixels */
+    double *linear;          /* the whole picture in linear colours, where they are written; else NULL */
 } Painter;
+
+/* Notes whether the picture has more than one colour: most bands tell at their second pixel. */
+static void watch_colours(Painter *painter, int first_row, int rows, const unsigned char *rgb)
+{
+    size_t bytes = (size_t)rows * (size_t)painter->columns * 3;
+    if (painter->varies)
+        return;
+    if (first_row == 0)
+        memcpy(painter->colour, rgb, 3);
+    painter->varies = memcmp(painter->colour, rgb, 3) != 0 || memcmp(rgb, rgb + 3, bytes - 3) != 0;
+}
 
 static bool paint_band(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
                        Error *error)
@@ -35,6 +49,7 @@ static bool paint_band(void *user, int first_row, int rows, const unsigned char 
     Painter *painter = user;
     double start = clock_ms();
     size_t stride = (size_t)painter->marked.columns * 3;
+    watch_colours(painter, first_row, rows, rgb);
     if (painter->marked.rgb)
         memcpy(painter->marked.rgb + (size_t)first_row * stride, rgb, (size_t)rows * stride);
     bool ok = painter->marked.rgb || painter->linear || image_writer_rows(painter->writer, rgb, rows, error);
@@ -107,6 +122,7 @@ static void free_planes(void *user)
 static bool trace(const Options *options, Scene *scene, Painter *painter, RenderReport *report, Error *error)
 {
     BandSink sink = {paint_band, painter};
+    painter->columns = scene->screen.columns;
     painter->rows = scene->screen.rows;
     painter->quiet = options->quiet;
     painter->progress = progress_start(options->progress, options->quiet);
@@ -219,7 +235,7 @@ static bool render(const Options *options, Scene *scene, const char *output, Sta
     start = clock_ms();
     bool done = image_writer_commit(painter.writer, error);
     stats->encode_ms = painter.encode_ms + clock_ms() - start;
-    return done;
+    return done && (painter.varies || options->quiet || hint_blank_picture(scene, error));
 }
 
 static bool render_scene(const Options *options, Scene *scene, Stats *stats, double start_ms, Error *error)

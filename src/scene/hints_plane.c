@@ -1,0 +1,115 @@
+/* Faces are sorted by their planes, and those in one plane are held against one another. */
+#include "scene/hints_plane.h"
+
+#include "scene/geometry.h"
+
+#include <stdlib.h>
+
+/* No more pairs than this are looked at: a hint is not worth more time. */
+enum { PAIRS_MOST = 1 << 22 };
+
+/* A plane, in steps that are larger than rounding. */
+typedef struct PlaneKey {
+    long long part[4];
+    int face;
+} PlaneKey;
+
+static double scene_reach(const Scene *scene)
+{
+    double reach = 1e-30;
+    for (int i = 0; i < scene->face_count; i++)
+        for (int k = 0; k < scene->faces[i].vertex_count; k++)
+            reach = fmax(reach, vec3_largest(face_vertex(&scene->faces[i], k)));
+    return reach;
+}
+
+/* The normal is turned to one side, so that it does not matter which way round a face is listed. */
+static PlaneKey key_of(const Scene *scene, int face, double reach)
+{
+    Vec3 n = scene->planes[face].normal;
+    double largest = vec3_largest(n), sign = 1;
+    for (int axis = 2; axis >= 0; axis--)
+        if (fabs(vec3_component(n, axis)) > 0.999 * largest)
+            sign = vec3_component(n, axis) < 0 ? -1 : 1;
+    PlaneKey key = {.face = face};
+    for (int axis = 0; axis < 3; axis++)
+        key.part[axis] = llround(1e5 * sign * vec3_component(n, axis));
+    key.part[3] = llround(1e5 * sign * scene->planes[face].d / reach);
+    return key;
+}
+
+static int compare_keys(const void *a, const void *b)
+{
+    const PlaneKey *x = a, *y = b;
+    for (int i = 0; i < 4; i++)
+        if (x->part[i] != y->part[i])
+            return x->part[i] < y->part[i] ? -1 : 1;
+    return (x->face > y->face) - (x->face < y->face);
+}
+
+static bool is_one_plane(const PlaneKey *a, const PlaneKey *b)
+{
+    for (int i = 0; i < 4; i++)
+        if (a->part[i] != b->part[i])
+            return false;
+    return true;
+}
+
+/* Does one of the edges of `face` have all of `other` on its outer side, but for a small part of it? */
+static bool is_apart_by_edge(const Face *face, Vec3 normal, const Face *other, double margin)
+{
+    for (int k = 0; k < face->vertex_count; k++) {
+        Vec3 a = face_vertex(face, k), edge = vec3_sub(face_vertex(face, (k + 1) % face->vertex_count), a);
+        Vec3 inward = vec3_unit(vec3_cross(normal, edge));
+        int outside = 0;
+        for (int i = 0; i < other->vertex_count; i++)
+            outside += vec3_dot(inward, vec3_sub(face_vertex(other, i), a)) <= margin;
+        if (outside == other->vertex_count)
+            return true;
+    }
+    return false;
+}
+
+/* A face of a closed box is seen from outside the box only, or from inside where the camera is. */
+static bool is_seen(const Scene *scene, int index)
+{
+    const Face *face = &scene->faces[index];
+    int side = plane_side(face, &scene->planes[index], scene->camera.position);
+    if (face->one_sided)
+        return side > 0;
+    return side > 0 || !hint_is_box(scene, face->object) || hint_is_in_box(scene, face->object, scene->camera.position);
+}
+
+static bool overlap(const Scene *scene, int a, int b)
+{
+    const Face *first = &scene->faces[a], *second = &scene->faces[b];
+    const Plane *p = &scene->planes[a], *q = &scene->planes[b];
+    if (first->number == second->number || first->material == second->material)
+        return false;
+    double margin = 1e-3 * sqrt(fmin(p->length, q->length));
+    return !is_apart_by_edge(first, p->normal, second, margin) && !is_apart_by_edge(second, q->normal, first, margin) &&
+           is_seen(scene, a) && is_seen(scene, b);
+}
+
+bool hints_find_planes(Hints *hints, const Scene *scene, Error *error)
+{
+    int count = scene->face_count, pairs = 0;
+    Hint hint = {HINT_SAME_PLANE, count, count, 0};
+    PlaneKey *keys = malloc((size_t)count * sizeof *keys + 1);
+    if (!keys)
+        return error_memory(error, "the planes of the scene");
+    double reach = scene_reach(scene);
+    for (int i = 0; i < count; i++)
+        keys[i] = key_of(scene, i, reach);
+    qsort(keys, (size_t)count, sizeof *keys, compare_keys);
+    for (int i = 0; i < count; i++)
+        for (int k = i + 1; k < count && pairs < PAIRS_MOST && is_one_plane(&keys[i], &keys[k]); k++, pairs++)
+            if (overlap(scene, keys[i].face, keys[k].face)) {
+                bool earlier = keys[i].face < hint.first || (keys[i].face == hint.first && keys[k].face < hint.second);
+                hint.first = earlier ? keys[i].face : hint.first;
+                hint.second = earlier ? keys[k].face : hint.second;
+                hint.count++;
+            }
+    free(keys);
+    return hint.count == 0 || hint_add(hints, hint, error);
+}
