@@ -220,7 +220,7 @@ stress: ## try the geometry by millions of rays, judged by exact arithmetic (SEE
 	@$(STRESS) --seed $(SEED) --scale $(SCALE) $(if $(TEST),--test $(TEST))
 
 # $(call plots,FOLDER) draws there what the last `bench --ladder` measured.
-plots = for plot in ladder scaling; do gnuplot -e "folder='build/bench'; out='$(1)'" docs/plots/$$plot.gp; done
+plots = for plot in ladder scaling process; do gnuplot -e "folder='build/bench'; out='$(1)'" docs/plots/$$plot.gp; done
 
 .PHONY: bench
 bench: ## measure the ladder of scenes: tables here, plots in build/bench/ (many minutes)

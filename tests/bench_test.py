@@ -55,7 +55,7 @@ class Speed(BenchTest):
     def test_json_holds_every_figure_and_tables_replace_what_stands_between_the_marks(self):
         page = self.write_page("before\n" + MARKS[0] + "stale words\n" + MARKS[1] + "after\n")
         result = json.loads(self.bench(SCENE, "--json", "-o", page).stdout)
-        self.assertEqual(set(result), {"processor", "cores", "load", "repeats", "scenes", "scaling", "processes"})
+        self.assertEqual(set(result), {"processor", "cores", "load", "repeats", "scenes", "scaling", "processes", "curve"})
         scene = result["scenes"][0]
         self.assertEqual((scene["scene"], scene["columns"], scene["rows"], scene["grid"]), ("minimal.json", 8, 6, 1))
         self.assertEqual(scene["rays"]["primary"], 48)
@@ -73,6 +73,7 @@ class Speed(BenchTest):
         self.assertEqual(set(process["cold_ms"]), PHASES)
         self.assertEqual(set(process["warm_ms"]), PHASES)
         self.assertGreater(process["peak_memory_bytes"], 0)
+        self.assertEqual(process["faces"], scene["faces"])
         self.assertIsNone(process["povray_ms"])
 
         text = self.read(page)
@@ -196,6 +197,9 @@ class Ladder(BenchTest):
             self.assertEqual(len(file.readlines()), 11)
         with open(os.path.join(self.folder.name, "files", "scaling.dat")) as file:
             self.assertEqual(len(file.readlines()), 12)
+        with open(os.path.join(self.folder.name, "files", "process.dat")) as file:
+            faces = [int(line.split()[1]) for line in file.readlines()[1:]]
+        self.assertEqual(faces, [12, 102, 1002, 10002, 100002, 1000002, 10000002])
 
 
 class Error(BenchTest):

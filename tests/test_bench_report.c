@@ -115,6 +115,27 @@ static void scaling_should_be_a_table_and_columns(void)
     TEST_ASSERT_NOT_NULL(strstr(contents("files/ladder.dat"), "\ncity-1k 6006 2.0000 -1.0000 4.0000 -1.0000\n"));
 }
 
+/* A process of 6 006 faces that takes 100 ms and 600.6 kB. */
+static void processes_should_have_their_memory_per_face(void)
+{
+    const BenchProcess process = {
+        .scene = {.name = "city-1k", .columns = 8, .rows = 6},
+        .cold_wall_ms = 5000,
+        .warm_wall_ms = 100,
+        .povray_wall_ms = 2000,
+        .warm = {.parse = 10, .build = 20, .upload = 5, .trace = 40, .encode = 8, .total = 95},
+        .peak_bytes = 600600,
+        .faces = 6006};
+    bench->processes[bench->process_count++] = process;
+    bench->curve[bench->curve_count++] = process;
+    const char *page = markdown();
+    TEST_ASSERT_NOT_NULL(strstr(page, "| city-1k | 8 x 6 | 5000 | 100 | 2000 | 20.0 | 0.57 | 100 |\n"));
+    TEST_ASSERT_NOT_NULL(strstr(page, "| 6006 | 10.0 | 20.0 | 5.00 | 40.0 | 8.00 | 100 | 0.57 | 100 |\n"));
+    TEST_ASSERT_TRUE(bench_write_plot_data(bench, &error));
+    TEST_ASSERT_NOT_NULL(
+        strstr(contents("files/process.dat"), "\ncity-1k 6006 10.0000 20.0000 5.0000 40.0000 100.0000 600600\n"));
+}
+
 static void columns_that_cannot_be_written_should_be_told_of(void)
 {
     TEST_ASSERT_EQUAL_INT(0, mkdir("files/ladder.dat", 0700));
@@ -182,6 +203,7 @@ int main(void)
     RUN_TEST(tables_should_reckon_ratios_and_rates);
     RUN_TEST(what_was_not_measured_should_be_a_dash);
     RUN_TEST(scaling_should_be_a_table_and_columns);
+    RUN_TEST(processes_should_have_their_memory_per_face);
     RUN_TEST(columns_that_cannot_be_written_should_be_told_of);
     RUN_TEST(a_rung_should_be_a_scene_of_its_size);
     RUN_TEST(povray_should_be_timed_where_it_and_its_export_are);

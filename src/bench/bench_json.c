@@ -99,7 +99,9 @@ static void add_phases(cJSON *object, const char *name, const BenchPhases *phase
 static cJSON *process_json(const BenchProcess *p)
 {
     cJSON *object = scene_json(&p->scene);
-    add_phases(object, "cold_ms", &p->cold, p->cold_wall_ms);
+    cJSON_AddNumberToObject(object, "faces", p->faces);
+    if (p->cold_wall_ms > 0)
+        add_phases(object, "cold_ms", &p->cold, p->cold_wall_ms);
     add_phases(object, "warm_ms", &p->warm, p->warm_wall_ms);
     cJSON_AddNumberToObject(object, "peak_memory_bytes", p->peak_bytes);
     if (p->povray_wall_ms > 0)
@@ -118,14 +120,16 @@ bool bench_print_json(FILE *out, const Bench *bench, Error *error)
     cJSON_AddNumberToObject(object, "load", bench->load);
     cJSON_AddNumberToObject(object, "repeats", bench->plan.repeats);
     cJSON *scenes = cJSON_AddArrayToObject(object, "scenes"), *scaling = cJSON_AddArrayToObject(object, "scaling"),
-          *processes = cJSON_AddArrayToObject(object, "processes");
-    bool whole = scenes && scaling && processes;
+          *processes = cJSON_AddArrayToObject(object, "processes"), *curve = cJSON_AddArrayToObject(object, "curve");
+    bool whole = scenes && scaling && processes && curve;
     for (int i = 0; i < bench->trace_count; i++)
         whole = cJSON_AddItemToArray(scenes, trace_json(&bench->traces[i])) && whole;
     for (int i = 0; i < bench->scaling_count; i++)
         whole = cJSON_AddItemToArray(scaling, trace_json(&bench->scaling[i])) && whole;
     for (int i = 0; i < bench->process_count; i++)
         whole = cJSON_AddItemToArray(processes, process_json(&bench->processes[i])) && whole;
+    for (int i = 0; i < bench->curve_count; i++)
+        whole = cJSON_AddItemToArray(curve, process_json(&bench->curve[i])) && whole;
     char *text = whole ? cJSON_PrintUnformatted(object) : NULL;
     if (text)
         fprintf(out, "%s\n", text);

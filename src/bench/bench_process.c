@@ -25,10 +25,12 @@ static const char *own_path(char *path, size_t size)
 typedef struct Run {
     BenchPhases phases;
     double wall_ms, peak_bytes;
+    int faces;
 } Run;
 
-static bool read_phases(const char *line, BenchPhases *phases, double *peak_bytes)
+static bool read_phases(const char *line, Run *run)
 {
+    BenchPhases *phases = &run->phases;
     const struct {
         const char *name;
         double *value;
@@ -37,12 +39,14 @@ static bool read_phases(const char *line, BenchPhases *phases, double *peak_byte
                   {"readback", &phases->readback}, {"encode", &phases->encode}, {"total", &phases->total}};
     cJSON *json = cJSON_Parse(line);
     const cJSON *object = cJSON_GetObjectItem(json, "phases_ms"),
-                *peak = cJSON_GetObjectItem(json, "peak_memory_bytes");
-    bool ok = object && peak;
+                *peak = cJSON_GetObjectItem(json, "peak_memory_bytes"), *faces = cJSON_GetObjectItem(json, "faces");
+    bool ok = object && peak && faces;
     for (size_t i = 0; i < sizeof fields / sizeof *fields && ok; i++)
         *fields[i].value = cJSON_GetNumberValue(cJSON_GetObjectItem(object, fields[i].name));
-    if (ok)
-        *peak_bytes = cJSON_GetNumberValue(peak);
+    if (ok) {
+        run->peak_bytes = cJSON_GetNumberValue(peak);
+        run->faces = (int)cJSON_GetNumberValue(faces);
+    }
     cJSON_Delete(json);
     return ok;
 }
@@ -71,8 +75,7 @@ static bool render_process(const BenchScene *scene, const BenchFolder *folder, R
                           NULL};
     if (!process_run(argv, line, sizeof line, &run->wall_ms, error))
         return false;
-    return read_phases(line, &run->phases, &run->peak_bytes) ||
-           error_set(error, ERROR_SYSTEM, "render told no statistics");
+    return read_phases(line, run) || error_set(error, ERROR_SYSTEM, "render told no statistics");
 }
 
 static bool empty_cache(const BenchFolder *folder, Error *error)
@@ -106,19 +109,28 @@ static bool median_process(const BenchScene *scene, const BenchFolder *folder, b
     return true;
 }
 
-bool bench_process(BenchProcess *result, const BenchScene *scene, const BenchPlan *plan, Error *error)
+bool bench_process_warm(BenchProcess *result, const BenchScene *scene, const BenchPlan *plan, Error *error)
 {
-    Run cold = {0}, warm = {0};
-    *result = (BenchProcess){.scene = *scene};
-    if (!median_process(scene, &plan->folder, true, plan->repeats / 2, &cold, error) ||
-        !median_process(scene, &plan->folder, false, plan->repeats, &warm, error))
+    Run warm = {0};
+    if (!median_process(scene, &plan->folder, false, plan->repeats, &warm, error))
         return false;
-    result->cold = cold.phases;
-    result->cold_wall_ms = cold.wall_ms;
+    result->scene = *scene;
     result->warm = warm.phases;
     result->warm_wall_ms = warm.wall_ms;
     result->peak_bytes = warm.peak_bytes;
+    result->faces = warm.faces;
     return true;
+}
+
+bool bench_process(BenchProcess *result, const BenchScene *scene, const BenchPlan *plan, Error *error)
+{
+    Run cold = {0};
+    *result = (BenchProcess){.scene = *scene};
+    if (!median_process(scene, &plan->folder, true, plan->repeats / 2, &cold, error))
+        return false;
+    result->cold = cold.phases;
+    result->cold_wall_ms = cold.wall_ms;
+    return bench_process_warm(result, scene, plan, error);
 }
 
 /* --- POV-Ray --- */

@@ -2,6 +2,7 @@
 #include "bench/bench_report.h"
 
 #include "bench/bench_machine.h"
+#include "bench/bench_process_report.h"
 #include "trace/skip.h"
 
 #include <errno.h>
@@ -10,15 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-/* A number in a cell, with three figures or so; a dash for what is not there. */
-static void cell(FILE *out, double value)
-{
-    if (!(value > 0) || !isfinite(value))
-        fputs(" - |", out);
-    else
-        fprintf(out, " %.*f |", value < 9.995 ? 2 : value < 99.95 ? 1 : 0, value);
-}
 
 static uint64_t all_rays(const RenderReport *report)
 {
@@ -37,11 +29,11 @@ static void print_trace_times(FILE *out, const Bench *bench)
     for (int i = 0; i < bench->trace_count; i++) {
         const BenchTrace *t = &bench->traces[i];
         fprintf(out, "| %s | %d |", t->scene.name, t->faces);
-        cell(out, t->trace_ms);
+        bench_cell(out, t->trace_ms);
         fprintf(out, " %.1f to %.1f |", t->fastest_ms, t->slowest_ms);
-        cell(out, t->peer_trace_ms);
-        cell(out, t->peer_trace_ms / t->trace_ms);
-        cell(out, (double)all_rays(&t->report) / t->trace_ms / 1e3);
+        bench_cell(out, t->peer_trace_ms);
+        bench_cell(out, t->peer_trace_ms / t->trace_ms);
+        bench_cell(out, (double)all_rays(&t->report) / t->trace_ms / 1e3);
         if (t->has_peer)
             fprintf(out, " %.0f %% | %lld, %lld |\n", 100 * (1 - t->peer_share), t->differing, t->far_off);
         else
@@ -66,9 +58,9 @@ static void print_kinds(FILE *out, const Bench *bench)
         fprintf(out, "| %s | %" PRIu64 " | %" PRIu64 " | %" PRIu64 " |", t->scene.name, rays->primary, rays->shadow,
                 rays->reflection);
         double mirrored = (double)(rays->reflection + rays->shadow - t->unmirrored_shadow);
-        cell(out, (double)rays->primary / t->primary_ms / 1e3);
-        cell(out, (double)t->unmirrored_shadow / (t->unmirrored_ms - t->primary_ms) / 1e3);
-        cell(out, mirrored / (t->trace_ms - t->unmirrored_ms) / 1e3);
+        bench_cell(out, (double)rays->primary / t->primary_ms / 1e3);
+        bench_cell(out, (double)t->unmirrored_shadow / (t->unmirrored_ms - t->primary_ms) / 1e3);
+        bench_cell(out, mirrored / (t->trace_ms - t->unmirrored_ms) / 1e3);
         if (t->has_peer)
             fprintf(out, " %s; %s; %s |\n", t->peer_modes[0], t->peer_modes[1], t->peer_modes[2]);
         else
@@ -89,11 +81,11 @@ static void print_builds(FILE *out, const Bench *bench)
     for (int i = 0; i < bench->trace_count; i++) {
         const BenchTrace *t = &bench->traces[i];
         fprintf(out, "| %s | %d |", t->scene.name, t->faces);
-        cell(out, t->build_ms);
-        cell(out, t->peer_build_ms);
-        cell(out, t->build_ms / t->peer_build_ms);
-        cell(out, (double)t->report.device_bytes / t->faces);
-        cell(out, t->peer_bytes / t->faces);
+        bench_cell(out, t->build_ms);
+        bench_cell(out, t->peer_build_ms);
+        bench_cell(out, t->build_ms / t->peer_build_ms);
+        bench_cell(out, (double)t->report.device_bytes / t->faces);
+        bench_cell(out, t->peer_bytes / t->faces);
         fputs("\n", out);
     }
 }
@@ -111,52 +103,11 @@ static void print_skips(FILE *out, const Bench *bench)
             if (s->count == 0)
                 continue;
             fprintf(out, "| %s | `%s` | %" PRIu64 " |", bench->traces[i].scene.name, skip_texts[skip].name, s->count);
-            cell(out, s->left_ms);
-            cell(out, s->done_ms);
-            cell(out, s->done_ms / s->left_ms);
+            bench_cell(out, s->left_ms);
+            bench_cell(out, s->done_ms);
+            bench_cell(out, s->done_ms / s->left_ms);
             fprintf(out, " %s |\n", s->same ? "the same" : "**differs**");
         }
-}
-
-static void print_processes(FILE *out, const Bench *bench)
-{
-    fputs("\n| scene | size | cold, ms | warm, ms | POV-Ray, ms | POV-Ray / warm | peak memory, MiB |\n"
-          "| --- | --- | ---: | ---: | ---: | ---: | ---: |\n",
-          out);
-    for (int i = 0; i < bench->process_count; i++) {
-        const BenchProcess *p = &bench->processes[i];
-        fprintf(out, "| %s | %d x %d |", p->scene.name, p->scene.columns, p->scene.rows);
-        cell(out, p->cold_wall_ms);
-        cell(out, p->warm_wall_ms);
-        cell(out, p->povray_wall_ms);
-        cell(out, p->povray_wall_ms / p->warm_wall_ms);
-        cell(out, p->peak_bytes / 1048576);
-        fputs("\n", out);
-    }
-}
-
-static void print_phases(FILE *out, const char *name, const char *state, const BenchPhases *phases)
-{
-    fprintf(out, "| %s, %s |", name, state);
-    const double values[] = {phases->parse, phases->build,    phases->device, phases->compile, phases->upload,
-                             phases->trace, phases->readback, phases->encode, phases->total};
-    for (size_t i = 0; i < sizeof values / sizeof *values; i++)
-        cell(out, values[i]);
-    fputs("\n", out);
-}
-
-static void print_all_phases(FILE *out, const Bench *bench)
-{
-    fputs("\n| phases, ms | parse | build | device | compile | upload | trace | readback | encode | total |\n"
-          "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
-          out);
-    for (int i = 0; i < bench->process_count; i++) {
-        char name[BENCH_NAME + 32];
-        const BenchProcess *p = &bench->processes[i];
-        snprintf(name, sizeof name, "%s %d x %d", p->scene.name, p->scene.columns, p->scene.rows);
-        print_phases(out, name, "cold", &p->cold);
-        print_phases(out, name, "warm", &p->warm);
-    }
 }
 
 static void print_scaling(FILE *out, const Bench *bench)
@@ -167,13 +118,18 @@ static void print_scaling(FILE *out, const Bench *bench)
     for (int i = 0; i < bench->scaling_count; i++) {
         const BenchTrace *t = &bench->scaling[i];
         fprintf(out, "| %d |", t->faces);
-        cell(out, t->trace_ms);
-        cell(out, t->peer_trace_ms);
-        cell(out, t->peer_trace_ms / t->trace_ms);
-        cell(out, t->build_ms);
-        cell(out, t->peer_build_ms);
+        bench_cell(out, t->trace_ms);
+        bench_cell(out, t->peer_trace_ms);
+        bench_cell(out, t->peer_trace_ms / t->trace_ms);
+        bench_cell(out, t->build_ms);
+        bench_cell(out, t->peer_build_ms);
         fputs("\n", out);
     }
+}
+
+static BenchProcesses processes_of(const Bench *bench)
+{
+    return (BenchProcesses){bench->processes, bench->curve, bench->process_count, bench->curve_count};
 }
 
 void bench_print_markdown(FILE *out, const void *data)
@@ -190,10 +146,8 @@ void bench_print_markdown(FILE *out, const void *data)
         print_builds(out, bench);
         print_skips(out, bench);
     }
-    if (bench->process_count > 0) {
-        print_processes(out, bench);
-        print_all_phases(out, bench);
-    }
+    BenchProcesses processes = processes_of(bench);
+    bench_print_processes(out, &processes);
     if (bench->scaling_count > 0)
         print_scaling(out, bench);
 }
@@ -219,6 +173,8 @@ static bool write_columns(const BenchFolder *folder, const char *name, const Ben
 bool bench_write_plot_data(const Bench *bench, Error *error)
 {
     const BenchFolder *folder = &bench->plan.folder;
+    BenchProcesses processes = processes_of(bench);
     return write_columns(folder, "ladder.dat", bench->traces, bench->trace_count, error) &&
-           write_columns(folder, "scaling.dat", bench->scaling, bench->scaling_count, error);
+           write_columns(folder, "scaling.dat", bench->scaling, bench->scaling_count, error) &&
+           bench_write_process_data(&processes, folder, error);
 }

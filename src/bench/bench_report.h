@@ -12,7 +12,8 @@ enum { BENCH_MAX_SCENES = 16 };
 typedef struct Bench {
     BenchTrace traces[BENCH_MAX_SCENES], scaling[BENCH_MAX_SCENES];
     BenchProcess processes[BENCH_MAX_SCENES];
-    int trace_count, scaling_count, process_count;
+    BenchProcess curve[BENCH_MAX_SCENES]; /* from few faces to many */
+    int trace_count, scaling_count, process_count, curve_count;
     BenchPlan plan;
     double load; /* see bench_machine.h */
 } Bench;
@@ -20,7 +21,7 @@ typedef struct Bench {
 /* `data` is a Bench, so that bench_document.h may call this. Writing errors stay in `out`. */
 void bench_print_markdown(FILE *out, const void *data);
 
-/* ladder.dat and scaling.dat in the folder, for docs/plots. */
+/* ladder.dat, scaling.dat and process.dat in the folder, for docs/plots. */
 bool bench_write_plot_data(const Bench *bench, Error *error);
 
 #endif

@@ -17,6 +17,9 @@
 /* Boxes: some 10 to 1 000 000 faces in steps of about the square root of ten. */
 static const int cities[] = {1, 5, 16, 50, 166, 500, 1666, 5000, 16666, 50000, 166666};
 
+/* Whole processes of some 10 to 10 000 000 faces, in steps of ten. */
+static const int process_cities[] = {1, 16, 166, 1666, 16666, 166666, 1666666};
+
 /* Whole processes are measured on these rungs. */
 static const struct {
     const char *rung;
@@ -105,6 +108,25 @@ static bool measure_processes(Bench *bench, const Options *options, Error *error
     return true;
 }
 
+/* Of many faces few runs are enough: they take seconds. */
+static bool measure_curve(Bench *bench, const Options *options, Error *error)
+{
+    BenchPlan plan = bench->plan;
+    for (size_t i = 0; i < sizeof process_cities / sizeof *process_cities; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "city-%d", process_cities[i]);
+        BenchScene scene;
+        announce(options, "rendering", name);
+        BenchRung rung = {.name = name, .kind = "city", .size = process_cities[i]};
+        plan.repeats = process_cities[i] > 100000 && plan.repeats > 3 ? 3 : plan.repeats;
+        if (!rung_scene(&rung, bench, options, &scene, error) ||
+            !bench_process_warm(&bench->curve[bench->curve_count], &scene, &plan, error))
+            return false;
+        bench->curve_count++;
+    }
+    return true;
+}
+
 static bool named_scene(const Options *options, int index, BenchScene *scene, Error *error)
 {
     const char *path = options->operands[index], *slash = strrchr(path, '/');
@@ -154,8 +176,8 @@ static bool measure(Bench *bench, const Options *options, Error *error)
 {
     if (!options->ladder)
         return measure_scenes(bench, options, error);
-    return measure_processes(bench, options, error) && measure_ladder(bench, options, error) &&
-           measure_scaling(bench, options, error);
+    return measure_processes(bench, options, error) && measure_curve(bench, options, error) &&
+           measure_ladder(bench, options, error) && measure_scaling(bench, options, error);
 }
 
 static bool measure_and_report(Bench *bench, const Options *options, Error *error)

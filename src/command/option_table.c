@@ -266,7 +266,7 @@ const Option option_table[] = {
     {"set", 0, "PATH=VALUE", "render trace cast check tree", "any value of the file, such as lights[0].diffuse[2]=1",
      OWN(set_value), .expects = "a path and a value, such as materials.pink.reflection=0.5"},
     {"size", 0, "N", "generate", "menger: steps; city: boxes; grid: quads along a side. Must be given",
-     NUMBER(scene_size, 1, 1000000)},
+     NUMBER(scene_size, 1, 2000000)},
     {"seed", 0, "N", "generate", "another number, another scene of that kind (default 0)", NUMBER(seed, 0, 2147483647)},
     {"pixel", 0, "COLUMN,ROW", "trace", "the pixel to tell; 0,0 is the one at the top left. Must be given",
      OWN(set_pixel), .expects = "two whole numbers, such as 320,240"},

@@ -9,7 +9,7 @@
 
 const GenerateKind scene_kinds[] = {
     {"menger", 5, "steps of the Menger sponge, 1 to 5", generate_menger},
-    {"city", 1000000, "boxes, 1 to 1000000", generate_city},
+    {"city", 2000000, "boxes, 1 to 2000000", generate_city},
     {"grid", 1000, "quads along a side, 1 to 1000", generate_grid},
     {0},
 };
