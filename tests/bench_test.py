@@ -55,7 +55,8 @@ class Speed(BenchTest):
     def test_json_holds_every_figure_and_tables_replace_what_stands_between_the_marks(self):
         page = self.write_page("before\n" + MARKS[0] + "stale words\n" + MARKS[1] + "after\n")
         result = json.loads(self.bench(SCENE, "--json", "-o", page).stdout)
-        self.assertEqual(set(result), {"processor", "cores", "load", "repeats", "scenes", "scaling", "processes", "curve"})
+        self.assertEqual(set(result), {"processor", "cores", "load", "repeats", "scenes", "scaling", "processes",
+                                       "curve"})
         scene = result["scenes"][0]
         self.assertEqual((scene["scene"], scene["columns"], scene["rows"], scene["grid"]), ("minimal.json", 8, 6, 1))
         self.assertEqual(scene["rays"]["primary"], 48)

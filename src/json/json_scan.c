@@ -1,13 +1,12 @@
 /* The grammar of JSON (RFC 8259), a function for each kind of token and a stack of open brackets. */
 #include "json/json_scan.h"
 
+#include "base/number.h"
 #include "base/text.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The text ends in a NUL, which no token accepts: no look-ahead needs a comparison with the end. */
@@ -150,7 +149,8 @@ static bool scan_number(Scan *scan)
         return fault(scan, start, "not a number of JSON (like 0, -1.5 or 2e-3)");
     if (at - start > JSON_MAX_NUMBER)
         return fault(scan, start, "a number of more than %d characters", JSON_MAX_NUMBER);
-    if (!isfinite(strtod(start, NULL)))
+    double value;
+    if (!number_read(start, NUMBER_JSON, &value))
         return fault(scan, start, "the number is too large (1.8e308 is the largest)");
     scan->at = at;
     return true;
