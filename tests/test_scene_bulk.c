@@ -37,14 +37,20 @@ static bool same_names(const Scene *a, const Scene *b)
     return true;
 }
 
+/* Of nothing there may be no address. */
+static bool same_bytes(const void *a, const void *b, size_t size)
+{
+    return size == 0 || memcmp(a, b, size) == 0;
+}
+
 /* Bit for bit. */
 static bool same_scene(const Scene *a, const Scene *b)
 {
     return a->face_count == b->face_count && a->object_count == b->object_count &&
            a->material_count == b->material_count && a->light_count == b->light_count &&
-           memcmp(a->faces, b->faces, (size_t)a->face_count * sizeof *a->faces) == 0 &&
-           memcmp(a->planes, b->planes, (size_t)a->face_count * sizeof *a->planes) == 0 &&
-           (a->light_count == 0 || memcmp(a->lights, b->lights, (size_t)a->light_count * sizeof *a->lights) == 0) &&
+           same_bytes(a->faces, b->faces, (size_t)a->face_count * sizeof *a->faces) &&
+           same_bytes(a->planes, b->planes, (size_t)a->face_count * sizeof *a->planes) &&
+           same_bytes(a->lights, b->lights, (size_t)a->light_count * sizeof *a->lights) &&
            memcmp(&a->camera, &b->camera, sizeof a->camera) == 0 &&
            memcmp(&a->centre, &b->centre, sizeof a->centre) == 0 &&
            memcmp(&a->screen.distance, &b->screen.distance, 3 * sizeof(double)) == 0 &&

@@ -28,6 +28,7 @@ static bool adopt_face(const SceneBuild *build, SceneBuildFace *face, int index,
     face->number = build->next_number + index;
     face->object = build->scene->object_count - 1;
     face->one_sided = build->object.one_sided;
+    face->skip = build->object.skip;
     face->shape = build->object.mirrored ? BUILD_SHAPE_UNCHECKED_TURNED : BUILD_SHAPE_UNCHECKED;
     return face->material >= 0;
 }
