@@ -146,6 +146,29 @@ class PlainKernel(unittest.TestCase):
                 body = re.search(rf"(?ms)^[^\n;]*\b{function}\([^;{{}}]*\)\n\{{\n(.*?)^\}}", read(path))[1]
                 self.assertIn(call, body)
 
+    def compile_with(self, line):
+        """What the compiler says of the line after a hit was placed, in float; "" if nothing."""
+        with tempfile.TemporaryDirectory() as folder:
+            mine = os.path.join(folder, "mine")
+            shutil.copytree("kernels", mine)
+            kernel, place = read("kernels/plain.cl"), "        place_hit(scene, ray, &hit);\n"
+            self.assertEqual(kernel.count(place), 1)
+            with open(os.path.join(mine, "plain.cl"), "w", encoding="utf-8") as file:
+                file.write(kernel.replace(place, place + line + "\n"))
+            return subprocess.run([PROGRAM, "render", "scenes/original.json", "--kernel=plain", "--size=8x6", "-q",
+                                   "-o", os.path.join(folder, "picture.png")], check=False, capture_output=True,
+                                  encoding="utf-8", env={**os.environ, "RECTRAY_KERNELS": mine}).stderr
+
+    def test_the_compiler_says_of_common_mistakes_what_the_page_says(self):
+        page = " ".join(read("docs/kernel.md").split())
+        vector = re.search(r"`(\(real3\)\(hit\.normal.*?)`", page)[1]
+        told = re.findall(r'compiler says "(.*?)"', page)
+        self.assertEqual(self.compile_with(f"total += 0.5f * {vector};"), "")
+        for line, words in (("total += hit.normal;", told[0]), (f"total += 0.5 * {vector};", told[1])):
+            with self.subTest(line):
+                said = re.sub(r" \(.*\)", "", self.compile_with(line).split("error: ")[1])
+                self.assertIn(words, said)
+
     def test_each_edit_compiles_and_shows(self):
         render = [PROGRAM, "render", "scenes/gallery.json", "--kernel=plain", "--size=32x18", "--grid=1", "-q", "-o"]
         self.assertEqual(len(self.blocks("diff")), 3)
