@@ -19,7 +19,7 @@ function readLink() {
     };
 }
 
-function writeLink() {
+function writeNow() {
     const parts = [
         `scene=${encodeURIComponent(page.path).replace(/%2F/g, '/')}`,
         `size=${page.columns}x${page.rows}`,
@@ -32,6 +32,18 @@ function writeLink() {
     if (page.pixel && page.step) parts.push(`step=${page.step}`);
     if (packed.text) parts.push(`text=${packed.text}`);
     history.replaceState(null, '', '#' + parts.join('&'));
+    written.at = performance.now();
+}
+
+// Browsers refuse addresses that change too often, as they would while an arrow key is held.
+const ADDRESS_PAUSE = 400; // ms
+const written = {at: -ADDRESS_PAUSE, timer: 0};
+
+function writeLink() {
+    clearTimeout(written.timer);
+    const wait = written.at + ADDRESS_PAUSE - performance.now();
+    if (wait > 0) written.timer = setTimeout(writeNow, wait);
+    else writeNow();
 }
 
 // Puts the scene's file where the link wants it: its own text, or as the page came with it. Returns what is wrong.
