@@ -138,7 +138,7 @@ static void walkthrough_should_end_with_the_bytes_of_the_picture_for_every_pixel
     for (int s = 0; s < SCENES; s++) {
         load(scenes[s]);
         render();
-        for (AccelKind kind = ACCEL_NONE; kind <= ACCEL_BVH; kind++) {
+        for (AccelKind kind = ACCEL_NONE; kind <= ACCEL_LBVH; kind++) {
             build(kind);
             for (int row = 0; row < scene.screen.rows; row++)
                 for (int column = 0; column < scene.screen.columns; column++)

@@ -30,7 +30,7 @@ static void check_options(const Options *o, const Command *command)
     REQUIRE(o->bounces >= -1 && o->bounces <= SCENE_MAX_BOUNCES);
     REQUIRE(o->tolerance >= 0 && o->tolerance <= 255);
     REQUIRE(o->settings.threads >= 0 && o->settings.device >= -1 && o->settings.lanes <= 16);
-    REQUIRE(o->settings.accel >= ACCEL_AUTO && o->settings.accel <= ACCEL_BVH);
+    REQUIRE(o->settings.accel >= ACCEL_AUTO && o->settings.accel <= ACCEL_LBVH);
     REQUIRE(o->backend == BACKEND_OPENCL || o->backend == BACKEND_REFERENCE);
     REQUIRE(o->pixel_column >= 0 && o->pixel_column < SCENE_MAX_PIXELS);
     REQUIRE(o->sample_i >= 0 && o->sample_i < SCENE_MAX_GRID && o->sample_j >= 0 && o->sample_j < SCENE_MAX_GRID);

@@ -90,16 +90,16 @@ static void check_numbers(const Scene *scene)
     }
 }
 
-/* A picture of 3 x 2 pixels: each found without a tree, then through both. */
+/* A picture of 3 x 2 pixels: each found without a tree, then through each. */
 static void check_pixels(Scene scene)
 {
-    static const AccelKind kinds[] = {ACCEL_NONE, ACCEL_BVH, ACCEL_KDTREE};
+    static const AccelKind kinds[] = {ACCEL_NONE, ACCEL_BVH, ACCEL_KDTREE, ACCEL_LBVH};
     Vec3 expected[6];
     scene.screen.height = screen_height(&scene.screen); /* of the whole picture */
     scene.screen.columns = 3;
     scene.screen.rows = 2;
     scene.grid = scene.adaptive ? 2 : 1;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         Error error = {.kind = ERROR_NONE};
         Accel accel;
         RenderReport report = {.threads = 1};
