@@ -121,7 +121,7 @@ class Interrupt(CommandTest):
 
     def test_a_signal_removes_the_unfinished_picture(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            err = self.interrupted(number, "--backend", "reference")
+            err = self.interrupted(number, "--backend", "reference", "--quiet")
             self.assertEqual(err, "rectray: interrupted; the picture was not written\n")
             self.assertEqual(self.files(), [])
 
