@@ -218,7 +218,7 @@ static bool read_element(PlyReader *ply, bool is_vertex, bool is_face)
 static bool read_file(PlyReader *ply)
 {
     for (bool ended = false; !ended;)
-        if (!read_header_line(ply, &ended) || (!ended && ply->at == ply->end && !fail(ply, "the header has no end")))
+        if (!read_header_line(ply, &ended) || (!ended && !*ply->at && !fail(ply, "the header has no end")))
             return false;
     int before = ply->build->next_number;
     ply->line++;
