@@ -125,6 +125,17 @@ class Formats(CommandTest):
             with self.subTest(data):
                 self.assertEqual(self.says(data), message + "\n")
 
+    def test_other_elements_of_ply_files_are_read_past(self):
+        self.put("model.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nelement edge 1\nproperty int vertex1\nproperty list uchar int more\n"
+                 "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\nend_header\n"
+                 "1000 0 0\n1001 0 0\n1000 1 0\n0 2 7 8\n3 0 1 2 255\n")
+        self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": "model.ply"}]}))
+        out, err = self.run_program("check", "scene.json", "-v")
+        self.assertEqual(err, "model.ply:7: note: a line of an unknown kind is left out: element edge\n"
+                         "model.ply:12: note: a line of an unknown kind is left out: property red\n")
+        self.assertIn(b"1 of them triangles", out)
+
     def test_broken_binary_files_name_the_element(self):
         header = (b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
                   b"property double z\nelement face 2\nproperty list uchar ushort vertex_index\nend_header\n")

@@ -107,9 +107,11 @@ static bool add_property(PlyReader *ply, const char *name, const char *type, con
         return fail(ply, "the property %s has an unknown type", text_quote(name).text);
     property->type /= 2;
     property->count_type = count_type ? property->count_type / 2 : -1;
-    if (strcmp(name, "red") == 0)
+    bool of_vertex = strcmp(element->name, "vertex") == 0, of_face = strcmp(element->name, "face") == 0;
+    if (of_vertex && strcmp(name, "red") == 0)
         return note(ply, NOTE_VERTEX_COLOURS, "property", name, element->count);
-    return find(name, used, sizeof used / sizeof *used) >= 0 || note(ply, NOTE_UNKNOWN, "property", name, 1);
+    return (!of_vertex && !of_face) || /* told with its element */
+           find(name, used, sizeof used / sizeof *used) >= 0 || note(ply, NOTE_UNKNOWN, "property", name, 1);
 }
 
 /* Reads the line that begins at ply->at, and goes to the next one. */
