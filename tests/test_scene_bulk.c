@@ -106,6 +106,9 @@ static const char *const objects[] = {
     "{\"material\": \"red\", \"nonplanar\": \"split\", \"vertices\": [[0,0,0],[1,0,0],[1,1,0.5],[0,1,0]], \"faces\": "
     "[[0,1,2,3], [0, 1, 2]]}",
     "{\"material\": \"red\", \"vertices\": [], \"faces\": []}",
+    "{\"material\": \"red\", \"vertices\": [[0,0,9],[2,0,9],[3,1,9],[2,2,9],[0,2,9]], \"faces\": [[0,1,2,3,4], [0, 1, "
+    "2]]}",
+    "{\"material\": \"red\", \"vertices\": [[0,0,8],[4,0,8],[1,1,8],[0,4,8]], \"faces\": [[0,1,2,3]]}",
     "{\"material\": \"red\", \"obj\": \"models/house.obj\"}",
 };
 

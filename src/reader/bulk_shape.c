@@ -40,22 +40,22 @@ const char *bulk_vertices(BulkShape *shape, const char *at)
     return at;
 }
 
-/* [a, b, c] or [a, b, c, d] */
-static const char *read_indices(const char *at, SceneBuildFace *face)
+/* [a, b, c, ...] */
+static const char *read_indices(const char *at, BulkRow *row)
 {
-    int count = 0;
+    int unused;
+    row->count = 0;
     at = json_bulk_mark(at, '[');
-    for (bool more = at != NULL; more; count++) {
-        if (count == 4 || !(at = json_bulk_index(at, &face->points[count])))
+    for (bool more = at != NULL; more; row->count++) {
+        if (!(at = json_bulk_index(at, row->count < row->room ? &row->vertices[row->count] : &unused)))
             return NULL;
         at = bulk_after(at, &more);
     }
-    face->vertex_count = (unsigned char)count;
-    return count >= 3 ? at : NULL;
+    return row->count >= 3 ? at : NULL;
 }
 
 /* {"vertices": [a, b, c], "material": "name"} */
-static const char *read_face_object(BulkShape *shape, const char *at, SceneBuildFace *face)
+static const char *read_face_object(BulkShape *shape, const char *at, BulkRow *row)
 {
     bool has_vertices = false, has_material = false;
     at = json_bulk_mark(at, '{');
@@ -65,12 +65,12 @@ static const char *read_face_object(BulkShape *shape, const char *at, SceneBuild
             return NULL;
         if (!has_vertices && json_span_is(key, "vertices")) {
             has_vertices = true;
-            at = read_indices(at, face);
+            at = read_indices(at, row);
         } else if (!has_material && json_span_is(key, "material")) {
             has_material = true;
             at = json_bulk_string(at, &name);
-            face->material = at ? bulk_material(shape, name) : -1;
-            at = face->material >= 0 ? at : NULL;
+            row->material = at ? bulk_material(shape, name) : -1;
+            at = row->material >= 0 ? at : NULL;
         } else
             return NULL;
         if (!at)
@@ -82,11 +82,11 @@ static const char *read_face_object(BulkShape *shape, const char *at, SceneBuild
     return has_vertices ? at : NULL;
 }
 
-const char *bulk_face(BulkShape *shape, const char *at, SceneBuildFace *face)
+const char *bulk_face(BulkShape *shape, const char *at, BulkRow *row)
 {
-    face->material = -1;
+    row->material = -1;
     at = json_blanks(at);
-    return *at == '[' ? read_indices(at, face) : read_face_object(shape, at, face);
+    return *at == '[' ? read_indices(at, row) : read_face_object(shape, at, row);
 }
 
 const char *bulk_faces(BulkShape *shape, const char *at)
@@ -96,8 +96,14 @@ const char *bulk_faces(BulkShape *shape, const char *at)
         return json_blanks(at) + 1;
     for (bool more = at != NULL; more;) {
         SceneBuildFace *face = scene_build_next_face(shape->build, shape->face_count);
-        if (!face || !(at = bulk_face(shape, at, face)))
+        if (!face)
             return NULL;
+        BulkRow row = {.vertices = face->points, .room = 4};
+        if (!(at = bulk_face(shape, at, &row)))
+            return NULL;
+        shape->has_polygons = shape->has_polygons || row.count > 4;
+        face->vertex_count = row.count == 3 ? 3 : 4;
+        face->material = row.material;
         face->place = shape->face_count++;
         at = bulk_after(at, &more);
     }

@@ -11,6 +11,7 @@
 typedef struct BulkShape {
     SceneBuild *build;
     int point_count, face_count;
+    bool has_polygons; /* faces of more than four vertices, of which the arrays of the build have no more */
     bool has_box;
     Vec3 low, high;
     JsonSpan last_material; /* and its number: most faces have their neighbour's */
@@ -20,10 +21,16 @@ typedef struct BulkShape {
 /* [[x, y, z], ...] */
 const char *bulk_vertices(BulkShape *shape, const char *at);
 
-/* Lists of 3 or 4 indices, or objects with one under "vertices" and a "material"; any material of a face is then the
+/* A face: the first vertices, as many as there is room for, and how many it has; its material, or -1. */
+typedef struct BulkRow {
+    int *vertices;
+    int room, count, material;
+} BulkRow;
+
+/* Lists of 3 indices or more, or objects with one under "vertices" and a "material"; any material of a face is then the
  * scene's, -1 where it has none. */
 const char *bulk_faces(BulkShape *shape, const char *at);
-const char *bulk_face(BulkShape *shape, const char *at, SceneBuildFace *face);
+const char *bulk_face(BulkShape *shape, const char *at, BulkRow *row);
 
 /* {"min": [x, y, z], "max": [x, y, z]}, each below the other */
 const char *bulk_box(BulkShape *shape, const char *at);

@@ -189,15 +189,22 @@ static bool check_schema(const Json *json, const cJSON *item)
     return !item || cJSON_IsString(item) || json_fail_type(json, item, "a string");
 }
 
-/* bulk: the inside of the list of objects, which the tree then lacks; NULL: the tree has it. */
-static bool read_objects(const Json *json, const cJSON *list, const JsonSpan *bulk, SceneBuild *build)
+/* A try to read the objects in bulk: the inside of their list, which the tree then lacks. */
+typedef struct Bulk {
+    JsonSpan objects;
+    bool one_by_one; /* its faces go through scene_build_face */
+    bool has_fault;  /* set where a face was not accepted in the end */
+} Bulk;
+
+/* bulk NULL: the tree has the objects. */
+static bool read_objects(const Json *json, const cJSON *list, const Bulk *bulk, SceneBuild *build)
 {
     if (bulk)
-        return scene_bulk_read(json, *bulk, build);
+        return scene_bulk_read(json, bulk->objects, bulk->one_by_one, build);
     return !list || scene_objects_read(json, list, build);
 }
 
-static bool read_scene(const Json *json, const JsonSpan *bulk, Scene *scene, SceneBuild *build)
+static bool read_scene(const Json *json, const Bulk *bulk, Scene *scene, SceneBuild *build)
 {
     JsonMember keys[SCENE_KEYS] = {
         [CAMERA] = {.name = "camera", .required = true},
@@ -219,10 +226,12 @@ static bool read_scene(const Json *json, const JsonSpan *bulk, Scene *scene, Sce
 }
 
 /* Reads a parsed file, and frees it. */
-static bool finish_load(Scene *scene, Json *json, const JsonSpan *bulk)
+static bool finish_load(Scene *scene, Json *json, Bulk *bulk)
 {
     SceneBuild build = {.scene = scene, .error = json->error, .path = json->name};
     bool good = read_scene(json, bulk, scene, &build);
+    if (bulk)
+        bulk->has_fault = build.fault != NULL;
     scene_build_free(&build);
     json_free(json);
     if (!good)
@@ -244,16 +253,25 @@ static char *text_without(const char *text, long length, JsonSpan span, Error *e
     return rest;
 }
 
-/* The objects straight from the text, all else through the tree. False, with or without an error, where that fails. */
-static bool load_bulk(Scene *scene, const char *path, const char *text, long length, Error *error)
+static bool try_bulk(Scene *scene, const char *path, const char *text, long length, Bulk *bulk, Error *error)
 {
     Json json;
-    JsonSpan objects;
-    if (!json_bulk_find(text, "objects", &objects))
+    char *rest = text_without(text, length, bulk->objects, error);
+    return rest && json_take(&json, path, rest, length - (bulk->objects.end - bulk->objects.begin), error) &&
+           finish_load(scene, &json, bulk);
+}
+
+/* The objects straight from the text, all else through the tree: at once, and if a face is not accepted as it is, face
+ * by face. False, with or without an error, where that fails. */
+static bool load_bulk(Scene *scene, const char *path, const char *text, long length, Error *error)
+{
+    Bulk bulk = {.one_by_one = false};
+    if (!json_bulk_find(text, "objects", &bulk.objects))
         return false;
-    char *rest = text_without(text, length, objects, error);
-    return rest && json_take(&json, path, rest, length - (objects.end - objects.begin), error) &&
-           finish_load(scene, &json, &objects);
+    if (try_bulk(scene, path, text, length, &bulk, error))
+        return true;
+    bulk.one_by_one = true;
+    return bulk.has_fault && !error->kind && try_bulk(scene, path, text, length, &bulk, error);
 }
 
 enum { LONG_TEXT = 1 << 16 }; /* bytes, from which on the table of number_prepare saves more time than it takes */
