@@ -83,9 +83,9 @@ class MaterialProperty(Recipe):
         self.fields = {name for names in declared for name in names.split(", ")}
 
     def test_the_reader_fills_each(self):
-        keys = set(re.findall(r'\.name = "(\w+)"', body("src/reader/scene_json.c", "read_material")))
+        keys = set(re.findall(r'\.name = "(\w+)"', body("src/reader/scene_values.c", "read_material")))
         self.assertEqual(keys, self.fields)
-        self.each(self.fields, "read_material", body("src/reader/scene_json.c", "read_material"), r"&material->{}\b")
+        self.each(self.fields, "read_material", body("src/reader/scene_values.c", "read_material"), r"&material->{}\b")
 
     def test_the_reference_uses_each(self):
         self.each(self.fields, "src/scene/light.c and src/trace/reference.c",

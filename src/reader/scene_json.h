@@ -1,5 +1,4 @@
-/* The scene file: JSON in, Scene out. docs/scene-format.md describes it for users, docs/scene.schema.json for programs;
- * a new key goes into both, and into the table of its object here. */
+/* The scene file: JSON in, Scene out. To add a key: scene_values.h. */
 #ifndef RECTRAY_SCENE_JSON_H
 #define RECTRAY_SCENE_JSON_H
 
