@@ -652,6 +652,28 @@ class Options(CommandTest):
                             self.assertLessEqual(max(map(len, text.splitlines())), width)
                             self.assertEqual(words_of(text) - words_of(texts[160]), set())
 
+    def test_the_summary_has_names_whole_where_there_is_room(self):
+        scene = os.path.join(HERE, "scenes/gallery.json")
+        for width in (80, 100, 160):
+            out = self.run_program("trace", scene, "--pixel", "802,403", "--summary", f"--width={width}")[0].decode()
+            lines = out.splitlines()
+            self.assertLessEqual(len(lines), 20)
+            self.assertLessEqual(max(map(len, lines)), width)
+            self.assertNotIn("...", out)
+            self.assertIn("camera -> P1 star/30 -> P2 mirror/0 -> P3 mirror: frame/8", lines)
+            self.assertEqual(" ".join(out.split()).count("light 1 blocked by plinth of the star/1"), 2)
+
+    def test_long_names_are_cut_between_characters(self):
+        with open(os.path.join(HERE, "scenes/original.json"), encoding="utf-8") as file:
+            document = json.load(file)
+        for object_, name in zip(document["objects"], ("\u7acb\u65b9\u4f53" * 11, "\u5e8a" * 60, "\U0001f4d0" * 60)):
+            object_["name"] = name
+        self.put("named.json", json.dumps(document))
+        for pixel in ("40,36", "70,3"):
+            for width in (80, 160):
+                out = self.run_program("trace", "named.json", "--pixel", pixel, f"--width={width}")[0].decode()
+                self.assertLessEqual(out.splitlines().index("Step by step"), 22)
+
     def test_the_summary_is_short_and_ends_with_the_bytes_of_the_picture(self):
         """Of pixels all over three scenes; with RECTRAY_SOAK of a thousand."""
         longest = 0

@@ -3,7 +3,9 @@
 
 #include "walkthrough/walkthrough_words.h"
 
-enum { LIGHTS_LISTED = 4 };
+#include <string.h>
+
+enum { LIGHTS_LISTED = 4, WHOLE_NAME = 40, SHORT_NAME = 18, LEAST_NAME = 12 };
 
 /* "light 2", "lights 0, 2", "12 lights": those with the verdict and, if it is not -1, the blocker. */
 static InkText lights_of(const Summary *summary, const SummaryHit *hit, LightVerdict verdict, int blocker, int *count)
@@ -36,8 +38,9 @@ static bool is_first_blocked(const SummaryHit *hit, int light)
     return hit->lights[light].verdict == LIGHT_BLOCKED;
 }
 
-/* "lights 0, 2 reach it; light 1 is behind it; light 3 is blocked by ceiling/3". With `brief`, one blocker is named. */
-static InkText light_words(const Summary *summary, const SummaryHit *hit, bool brief)
+/* "lights 0, 2 reach it; light 1 is behind it; light 3 is blocked by ceiling/3". With `brief`, one blocker is named.
+ * A name has at most so many columns. */
+static InkText light_words(const Summary *summary, const SummaryHit *hit, bool brief, int name_columns)
 {
     const Scene *scene = summary->walk->scene;
     InkText words = {""};
@@ -54,14 +57,14 @@ static InkText light_words(const Summary *summary, const SummaryHit *hit, bool b
         first = i;
         which = lights_of(summary, hit, LIGHT_BLOCKED, brief ? -1 : hit->lights[i].blocker, &count);
         words = joined(words, ink_text("%s blocked by %s%s", which.text,
-                                       walkthrough_face_words(scene, hit->lights[i].blocker, SUMMARY_NAME).text,
+                                       walkthrough_face_words(scene, hit->lights[i].blocker, name_columns).text,
                                        brief && count > 1 ? " and others" : ""));
     }
     return scene->light_count > 0 ? words : ink_text("the scene has no light");
 }
 
 /* "light 2 reaches it; light 1 behind; lights 0, 3 blocked by ceiling/3...". */
-static InkText terse_words(const Summary *summary, const SummaryHit *hit)
+static InkText terse_words(const Summary *summary, const SummaryHit *hit, int name_columns)
 {
     InkText words = {""};
     int count;
@@ -74,18 +77,29 @@ static InkText terse_words(const Summary *summary, const SummaryHit *hit)
     which = lights_of(summary, hit, LIGHT_BLOCKED, -1, &count);
     for (int i = 0; i < summary->walk->scene->light_count && count > 0; i++)
         if (hit->lights[i].verdict == LIGHT_BLOCKED)
-            return joined(words, ink_text("%s blocked by %s%s", which.text,
-                                          walkthrough_face_words(summary->walk->scene, hit->lights[i].blocker, 12).text,
-                                          count > 1 ? "..." : ""));
+            return joined(
+                words, ink_text("%s blocked by %s%s", which.text,
+                                walkthrough_face_words(summary->walk->scene, hit->lights[i].blocker, name_columns).text,
+                                count > 1 ? "..." : ""));
     return words;
+}
+
+/* Whether nothing was cut off and the columns hold it. */
+static bool fits(InkText words, int columns)
+{
+    return strlen(words.text) + 1 < sizeof words.text && ink_width(words.text) <= columns;
 }
 
 InkText walkthrough_summary_lights(const Summary *summary, const SummaryHit *hit, int columns)
 {
-    InkText words = light_words(summary, hit, false);
-    if (ink_width(words.text) > columns)
-        words = light_words(summary, hit, true);
-    return ink_width(words.text) > columns ? terse_words(summary, hit) : words;
+    InkText words = light_words(summary, hit, false, WHOLE_NAME);
+    if (!fits(words, columns))
+        words = light_words(summary, hit, false, SHORT_NAME);
+    if (!fits(words, columns))
+        words = light_words(summary, hit, true, SHORT_NAME);
+    if (!fits(words, columns))
+        words = terse_words(summary, hit, WHOLE_NAME);
+    return fits(words, columns) ? words : terse_words(summary, hit, LEAST_NAME);
 }
 
 InkText walkthrough_summary_light_count(const Summary *summary, const SummaryHit *hit)

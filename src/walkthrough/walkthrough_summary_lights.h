@@ -4,8 +4,6 @@
 
 #include "walkthrough/walkthrough_summary.h"
 
-enum { SUMMARY_NAME = 18 }; /* columns of a face's name */
-
 /* "lights 0, 2 reach it; light 1 is behind the face; light 3 blocked by ceiling/3"; where that is too wide, only one of
  * the faces in the way is named. */
 InkText walkthrough_summary_lights(const Summary *summary, const SummaryHit *hit, int columns);

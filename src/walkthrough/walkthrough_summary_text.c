@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-enum { HITS_TOLD = 5, LIGHTS_INDENT = 6, DIGITS = 4, CELLS = 4 };
+enum { HITS_TOLD = 5, LIGHTS_INDENT = 6, DIGITS = 4, CELLS = 4, NUMBER_COLUMNS = 62, WORD_MOST = 44 };
 
 /* --- The table of hits --- */
 
@@ -16,11 +16,11 @@ typedef struct Row {
     InkText name, cells[CELLS]; /* face, distance, weight, what it adds */
 } Row;
 
-static Row row_of(const Summary *summary, int index)
+static Row row_of(const Summary *summary, int index, int name_columns)
 {
     const SummaryHit *hit = &summary->hits[index];
     return (Row){ink_text("P%d", index + 1),
-                 {walkthrough_face_words(summary->walk->scene, hit->face, SUMMARY_NAME),
+                 {walkthrough_face_words(summary->walk->scene, hit->face, name_columns),
                   ink_number(hit->distance, DIGITS), ink_number(hit->weight, DIGITS),
                   ink_vector(hit->contribution, DIGITS)}};
 }
@@ -61,15 +61,15 @@ static void add_row(Table *table, Row row, int hit)
     table->hits[table->count++] = hit;
 }
 
-static Table table_of(const Summary *summary)
+static Table table_of(const Summary *summary, int name_columns)
 {
     int count = summary->hit_count, alone = count > HITS_TOLD ? HITS_TOLD - 2 : count;
     Table table = {.width = {4, 8, 6, 4}};
     for (int i = 0; i < alone; i++)
-        add_row(&table, row_of(summary, i), i);
+        add_row(&table, row_of(summary, i, name_columns), i);
     if (alone < count) {
         add_row(&table, row_of_several(summary, alone, count - 2), -1);
-        add_row(&table, row_of(summary, count - 1), count - 1);
+        add_row(&table, row_of(summary, count - 1, name_columns), count - 1);
     }
     if (summary->missed)
         add_row(&table, row_of_background(summary), -1);
@@ -92,7 +92,17 @@ static void print_line(const Ink *ink, const InkText *line)
     fprintf(ink->out, "%.*s\n", (int)(strrchr(line->text, ')') + 1 - line->text), line->text);
 }
 
-/* Prints a row. What does not fit beside it takes one of the *room lines, of which `kept` are for others. */
+/* The rows of hits after this one. */
+static int hits_after(const Table *table, int index)
+{
+    int count = 0;
+    for (int i = index + 1; i < table->count; i++)
+        count += table->hits[i] >= 0;
+    return count;
+}
+
+/* Prints a row. What does not fit beside it takes one of the *room lines, of which `kept` are for others; or two, where
+ * each hit after it still has its own. */
 static void print_row(const Ink *ink, const Summary *summary, const Table *table, int index, int kept, int *room)
 {
     InkText line = line_of(table, index);
@@ -102,7 +112,9 @@ static void print_row(const Ink *ink, const Summary *summary, const Table *table
     }
     const SummaryHit *hit = &summary->hits[table->hits[index]];
     int beside = ink->columns - ink_width(line.text) - 2;
-    InkText words = walkthrough_summary_lights(summary, hit, ink->columns - LIGHTS_INDENT);
+    int width = ink->columns - LIGHTS_INDENT;
+    bool two_lines = *room >= 2 + hits_after(table, index);
+    InkText words = walkthrough_summary_lights(summary, hit, two_lines ? 2 * width - WORD_MOST : width);
     bool below = ink_width(words.text) > beside;
     if (below && *room <= kept) {
         words = walkthrough_summary_light_count(summary, hit);
@@ -115,15 +127,15 @@ static void print_row(const Ink *ink, const Summary *summary, const Table *table
     else
         print_line(ink, &line);
     if (below) {
-        fprintf(ink->out, "%*s%s\n", LIGHTS_INDENT, "", words.text);
-        --*room;
+        ink_hanging(ink, LIGHTS_INDENT, "%*s%s", LIGHTS_INDENT, "", words.text);
+        *room -= ink_width(words.text) > width ? 2 : 1;
     }
 }
 
 /* Prints the table in at most so many lines. */
 static void print_table(const Ink *ink, const Summary *summary, int lines)
 {
-    Table table = table_of(summary);
+    Table table = table_of(summary, ink->columns - NUMBER_COLUMNS);
     int room = lines - 1 - table.count, last = summary->hit_count - 1;
     fprintf(ink->out, "    %-*s  %-*s  %-*s  adds (red, green, blue)\n", table.width[0], "face", table.width[1],
             "distance", table.width[2], "weight");
@@ -132,6 +144,8 @@ static void print_table(const Ink *ink, const Summary *summary, int lines)
 }
 
 /* --- All of it --- */
+
+enum { PATH_NAME_LEAST = 14, PATH_NAME_MOST = 40 };
 
 /* A neighbour's bytes beside their colour, which takes the place of two blanks; only blanks where the picture ends. */
 static InkText cell_of(const Ink *ink, const WalkthroughAround *around, int k)
@@ -161,20 +175,30 @@ static void print_around(const Ink *ink, const WalkthroughAround *around)
     }
 }
 
-/* "camera -> P1 floor/0 -> P2 box/3 -> out of the scene". */
-static void write_path(char *line, size_t size, const Summary *summary)
+/* "camera -> P1 floor/0 -> P2 box/3 -> out of the scene", names with at most so many columns. */
+static void write_path(char *line, size_t size, const Summary *summary, int name_columns)
 {
     int count = summary->hit_count;
     size_t used = (size_t)snprintf(line, size, "camera");
     for (int i = 0; i < count; i++) {
         bool told = count <= HITS_TOLD || i < HITS_TOLD - 2 || i == count - 1;
         if (told)
-            used += (size_t)snprintf(line + used, size - used, " -> P%d %s", i + 1,
-                                     walkthrough_face_words(summary->walk->scene, summary->hits[i].face, 14).text);
+            used += (size_t)snprintf(
+                line + used, size - used, " -> P%d %s", i + 1,
+                walkthrough_face_words(summary->walk->scene, summary->hits[i].face, name_columns).text);
         else if (i == HITS_TOLD - 2)
             used += (size_t)snprintf(line + used, size - used, " -> %d more", count - HITS_TOLD + 1);
     }
     snprintf(line + used, size - used, "%s", summary->missed ? " -> out of the scene" : "");
+}
+
+/* Names are cut only where the path would take more than two lines. No word is longer than a name. */
+static void write_path_in_two_lines(char *line, size_t size, const Summary *summary, int columns)
+{
+    int name_columns = PATH_NAME_MOST;
+    write_path(line, size, summary, name_columns);
+    while (name_columns > PATH_NAME_LEAST && ink_width(line) > 2 * columns - name_columns)
+        write_path(line, size, summary, --name_columns);
 }
 
 static bool is_black(const Summary *summary)
@@ -186,14 +210,18 @@ void summary_write_text(const Ink *ink, const Summary *summary)
 {
     const WalkthroughRequest *request = &summary->walk->request;
     bool around = summary->walk->around.there[AROUND_SELF], several = summary->samples > 1;
-    char path[512];
-    write_path(path, sizeof path, summary);
+    char path[1024];
+    write_path_in_two_lines(path, sizeof path, summary, ink->columns);
     InkText end = ink_text("The path ends: %s.%s", summary->end.text,
                            is_black(summary) ? " Nothing on it adds light: the pixel is black." : "");
     InkText pixel = walkthrough_pixel_words(summary->walk, &summary->walk->events[summary->walk->count - 1]);
+    InkText sample = {""};
+    if (several)
+        sample = ink_text("Sample (%d, %d) = %s, one of %d; the pixel is their average.", request->i, request->j,
+                          ink_vector(summary->colour, DIGITS).text, summary->samples);
     /* Besides the table: the title, a blank line and the last line; what is too long takes two. */
-    int others = 3 + (around ? 3 : 0) + several + (ink_width(path) > ink->columns ? 2 : 1) +
-                 (ink_width(end.text) > ink->columns ? 2 : 1);
+    int others = 3 + (around ? 3 : 0) + several + (ink_width(sample.text) > ink->columns) +
+                 (ink_width(path) > ink->columns ? 2 : 1) + (ink_width(end.text) > ink->columns ? 2 : 1);
     if (around)
         print_around(ink, &summary->walk->around);
     fputc('\n', ink->out);
@@ -201,7 +229,6 @@ void summary_write_text(const Ink *ink, const Summary *summary)
     print_table(ink, summary, SUMMARY_LINES - others);
     ink_paragraph(ink, "%s", end.text);
     if (several)
-        ink_paragraph(ink, "Sample (%d, %d) = %s, one of %d; the pixel is their average.", request->i, request->j,
-                      ink_vector(summary->colour, DIGITS).text, summary->samples);
+        ink_paragraph(ink, "%s", sample.text);
     fprintf(ink->out, "%s%s%s\n", ink_colour(ink, 'b'), pixel.text, ink_colour(ink, '.'));
 }

@@ -14,14 +14,14 @@ InkText walkthrough_owner_words(const Scene *scene, int face, int columns)
         room = columns / 3;
         whole = ink_name(part, columns - 2 - room);
     }
-    return ink_text("%.60s: %.60s", ink_name(object, room).text, whole.text);
+    return ink_text("%s: %s", ink_name(object, room).text, whole.text);
 }
 
 InkText walkthrough_face_words(const Scene *scene, int face, int columns)
 {
     InkText number = ink_text("/%d", walkthrough_face_in_object(scene, face));
     int room = columns - (int)strlen(number.text);
-    return ink_text("%.64s%s", walkthrough_owner_words(scene, face, room).text, number.text);
+    return ink_text("%s%s", walkthrough_owner_words(scene, face, room).text, number.text);
 }
 
 InkText walkthrough_light_words(const Walkthrough *walk, const WalkthroughPlace *place, const Event *light_end)
