@@ -730,10 +730,24 @@ class Choosing(CommandTest):
         least = min(sum(pixel) for line in png_pixels(self.bytes_of("a.png")) for pixel in line)
         self.assertLessEqual(sum(self.found("--darkest", *small)["rgb"]), least + 2)
 
+    def test_no_neighbour_of_the_darkest_is_darker(self):
+        """Also in a picture that is searched in steps, whose pixels at edges are the average of several rays."""
+        for words in ((), ("--face", "star")):
+            out, _ = self.run_program("trace", self.SCENE, "--summary", "--darkest", *words)
+            title, *rows = out.decode().split("\n\n")[0].splitlines()
+            around = [sum(map(int, bytes_)) for bytes_ in re.findall(r"\((\d+), (\d+), (\d+)\)", "\n".join(rows))]
+            self.assertEqual(len(around), 9)
+            if not words:  # a neighbour of the star's may show something else
+                self.assertGreaterEqual(min(around), around[4] - 1)
+            self.assertLess(around[4], 170)
+
     def test_what_is_nowhere_is_told(self):
         small = ("trace", self.SCENE, "--size", "64x36")
-        for message, *words in (("no object has that name", "--face", "nobody/3"),
-                                ("the last face of that object is", "--face", "far wall/99"),
+        for message, *words in (("no object has that name; `rectray check`", "--face", "nobody/3"),
+                                ("no object has that name; did you mean 'far wall'?", "--face", "fare wall/0"),
+                                ("no object has that name; did you mean 'stripes: frame'?", "--face", "stripes: fram"),
+                                ("the last face of that object is 0", "--face", "far wall/99"),
+                                ("the last face of that object is 0", "--face", "far wall/99999999999999999999"),
                                 ("the scene has 3 lights", "--light-blocked", "3"),
                                 ("no pixel shows that", "--mirror-depth", "60"),
                                 ("look for one", "--darkest", "--pixel", "1,1")):

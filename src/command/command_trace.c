@@ -40,8 +40,11 @@ static bool choose_pixels(Options *options, const Scene *scene, Error *error)
             fprintf(stderr, "rectray: --pixel %d,%d shows it\n", pixel->column, pixel->row);
     }
     if (options->pixel_count == 0)
-        return error_set(error, ERROR_USAGE, "trace needs --pixel COLUMN,ROW: the pixel to tell, from 0,0 to %d,%d",
-                         screen->columns - 1, screen->rows - 1);
+        return error_set(
+            error, ERROR_USAGE,
+            "trace needs --pixel COLUMN,ROW: the pixel to tell, from 0,0 to %d,%d; or an option that looks "
+            "for one: --face, --light-blocked, --mirror-depth, --darkest",
+            screen->columns - 1, screen->rows - 1);
     for (int i = 0; i < options->pixel_count; i++)
         if (options->pixels[i].column >= screen->columns || options->pixels[i].row >= screen->rows)
             return error_set(error, ERROR_USAGE, "--pixel %d,%d is outside the picture, whose pixels are 0,0 to %d,%d",

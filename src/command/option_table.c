@@ -268,7 +268,7 @@ const Option option_table[] = {
     {"size", 0, "N", "generate", "menger: steps; city: boxes; grid: quads along a side. Must be given",
      NUMBER(scene_size, 1, 2000000)},
     {"seed", 0, "N", "generate", "another number, another scene of that kind (default 0)", NUMBER(seed, 0, 2147483647)},
-    {"pixel", 0, "COLUMN,ROW", "trace", "the pixel to tell; 0,0 is the one at the top left. Must be given",
+    {"pixel", 0, "COLUMN,ROW", "trace", "a pixel to tell, up to 16 times; 0,0 is the one at the top left",
      OWN(set_pixel), .expects = "two whole numbers, such as 320,240"},
     {"pixel", 0, "COLUMN,ROW", "explore", "the pixel that is chosen first; 0,0 is the one at the top left",
      OWN(set_pixel), .expects = "two whole numbers, such as 320,240"},

@@ -1,6 +1,7 @@
 /* Finds a pixel that shows something: traces the rays through the centres of pixels and looks at what they meet. */
 #include "walkthrough/pixel_search.h"
 
+#include "base/suggest.h"
 #include "trace/accel.h"
 #include "trace/reference.h"
 #include "walkthrough/walkthrough.h"
@@ -23,7 +24,8 @@ typedef struct Search {
     int object, face; /* that are wished for; -1: any. `face` is its number in the object */
     const char *part; /* of the object; NULL: any */
     bool in_mirrors;  /* the face may also be a later hit of the path */
-    Scene scene;      /* a copy with one ray for each pixel */
+    const Scene *whole;
+    Scene scene; /* a copy with one ray for each pixel */
     Tracer tracer;
     Sight sight;
 } Search;
@@ -72,19 +74,53 @@ typedef struct Best {
     double value; /* HUGE_VAL: none yet */
 } Best;
 
-/* Calls for each pixel of a grid of pixels `step` apart. With a centre, the value is the distance from there. */
+/* The sum of the colour that the picture has there, with all rays of the pixel. */
+static double light_of(const Search *search, int column, int row)
+{
+    Tracer tracer = search->tracer;
+    tracer.scene = search->whole;
+    tracer.recorder = NULL;
+    Vec3 colour = reference_pixel(&tracer, column, row);
+    return colour.x + colour.y + colour.z;
+}
+
+/* Takes the pixel if it fits and is better than the best one. With a centre, the value is the distance from there; else
+ * the light. Of pixels whose centre is lighter than the best one, only the centre is looked at. */
+static void take_better(Search *search, Best *best, int column, int row, const Best *centre)
+{
+    double value = centre ? hypot(column - centre->column, row - centre->row) : 0;
+    if (value >= best->value || !fits(search, column, row))
+        return;
+    if (!centre && search->sight.light < best->value)
+        value = light_of(search, column, row);
+    else if (!centre)
+        return;
+    if (value < best->value)
+        *best = (Best){column, row, value};
+}
+
+/* The best of a grid of pixels `step` apart. */
 static Best search_grid(Search *search, int step, const Best *centre)
 {
     Best best = {.value = HUGE_VAL};
     const Screen *screen = &search->scene.screen;
     for (int row = step / 2; row < screen->rows; row += step)
-        for (int column = step / 2; column < screen->columns; column += step) {
-            if (!fits(search, column, row))
-                continue;
-            double value = centre ? hypot(column - centre->column, row - centre->row) : search->sight.light;
-            if (value < best.value)
-                best = (Best){column, row, value};
-        }
+        for (int column = step / 2; column < screen->columns; column += step)
+            take_better(search, &best, column, row, centre);
+    return best;
+}
+
+/* Goes on to the darkest of the pixels around as long as there is a darker one. */
+static Best search_around(Search *search, Best best, int reach)
+{
+    const Screen *screen = &search->scene.screen;
+    for (Best place = {.value = HUGE_VAL}; best.value < place.value;) {
+        place = best;
+        for (int row = place.row - reach; row <= place.row + reach; row++)
+            for (int column = place.column - reach; column <= place.column + reach; column++)
+                if (row >= 0 && row < screen->rows && column >= 0 && column < screen->columns)
+                    take_better(search, &best, column, row, NULL);
+    }
     return best;
 }
 
@@ -106,7 +142,7 @@ static Best middle_of(Search *search, int step)
 static Best search_all(Search *search, int step)
 {
     if (search->wish->darkest)
-        return search_grid(search, step, NULL);
+        return search_around(search, search_grid(search, step, NULL), step - 1);
     Best middle = middle_of(search, step);
     return middle.value < HUGE_VAL ? search_grid(search, step, &middle) : middle;
 }
@@ -133,10 +169,23 @@ static void find_owner(Search *search, const Scene *scene, const char *name, siz
     }
 }
 
-/* A face's, as the file counts them. */
-static int last_number(const Scene *scene)
+/* Says that no object is called so, and which one may be meant. */
+static bool refuse_name(const Scene *scene, const char *name, size_t length, Error *error)
 {
-    return scene->face_count > 0 ? scene->faces[scene->face_count - 1].number : -1;
+    const char **known = calloc((size_t)scene->object_count + 1, sizeof *known);
+    char *word = strndup(name, length);
+    const char *meant = NULL;
+    for (int i = 0; known && i < scene->object_count; i++)
+        known[i] = scene->objects[i].name;
+    if (known && word)
+        meant = suggest_word(word, known);
+    if (meant)
+        error_set(error, ERROR_USAGE, "--face '%s': no object has that name; did you mean '%s'?", name, meant);
+    else
+        error_set(error, ERROR_USAGE, "--face '%s': no object has that name; `rectray check` counts them", name);
+    free(word);
+    free(known);
+    return false;
 }
 
 /* Finds the object, its part, and the number of the face in it, that the wish names. */
@@ -149,12 +198,12 @@ static bool find_face(Search *search, const Scene *scene, Error *error)
     const char *slash = strrchr(name, '/');
     char *end = NULL;
     long number = slash ? strtol(slash + 1, &end, 10) : -1;
-    bool numbered = slash && end != slash + 1 && *end == '\0' && number >= 0 && number <= last_number(scene);
+    bool numbered = slash && end != slash + 1 && *end == '\0' && number >= 0;
     size_t length = numbered ? (size_t)(slash - name) : strlen(name);
     find_owner(search, scene, name, length);
     if (search->object < 0)
-        return error_set(error, ERROR_USAGE, "--face '%s': no object has that name; `rectray check` counts them", name);
-    search->face = numbered ? (int)number : -1;
+        return refuse_name(scene, name, length, error);
+    search->face = !numbered ? -1 : number < scene->face_count ? (int)number : scene->face_count;
     const Object *object = &scene->objects[search->object];
     int last =
         object->face_count > 0 ? walkthrough_face_in_object(scene, object->first_face + object->face_count - 1) : -1;
@@ -164,7 +213,7 @@ static bool find_face(Search *search, const Scene *scene, Error *error)
 
 bool pixel_search(const Scene *scene, const PixelWish *wish, int *column, int *row, Error *error)
 {
-    Search search = {.wish = wish, .scene = *scene};
+    Search search = {.wish = wish, .whole = scene, .scene = *scene};
     Accel accel;
     if (!find_face(&search, scene, error) || !accel_build(&accel, scene, ACCEL_AUTO, 1, error))
         return false;
