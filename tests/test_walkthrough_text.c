@@ -241,6 +241,10 @@ static void swatches_should_show_the_bytes_or_the_nearest_of_256_colours(void)
     TEST_ASSERT_EQUAL_STRING("\033[48;2;97;74;255m  \033[0m", ink_swatch(&all, (unsigned char[]){97, 74, 255}, 2).text);
     TEST_ASSERT_EQUAL_STRING("\033[48;5;16m \033[0m", ink_swatch(&few, (unsigned char[]){0, 0, 0}, 1).text);
     TEST_ASSERT_EQUAL_STRING("\033[48;5;231m \033[0m", ink_swatch(&few, (unsigned char[]){255, 255, 255}, 1).text);
+    TEST_ASSERT_EQUAL_STRING("\033[48;5;239m \033[0m", ink_swatch(&few, (unsigned char[]){79, 79, 79}, 1).text);
+    TEST_ASSERT_EQUAL_STRING("\033[48;5;238m \033[0m", ink_swatch(&few, (unsigned char[]){70, 70, 70}, 1).text);
+    TEST_ASSERT_EQUAL_STRING("\033[48;5;59m \033[0m", ink_swatch(&few, (unsigned char[]){103, 79, 103}, 1).text);
+    TEST_ASSERT_EQUAL_STRING("\033[48;5;255m \033[0m", ink_swatch(&few, (unsigned char[]){240, 240, 240}, 1).text);
     TEST_ASSERT_EQUAL_STRING("\033[48;5;97m \033[0m", ink_swatch(&few, (unsigned char[]){135, 95, 175}, 1).text);
     TEST_ASSERT_EQUAL_STRING("", ink_swatch(&none, (unsigned char[]){1, 2, 3}, 2).text);
 }
