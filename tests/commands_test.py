@@ -115,6 +115,7 @@ class Render(CommandTest):
             _, err = self.render("-o", "a.png", "--size", "96x60", "--mark", f"{column},{row}")
             marked = png_pixels(self.bytes_of("a.png"))
             self.assertNotEqual(marked, plain)
+            self.assertNotIn("\n\n", "\n" + err)
             around = {(x, y): plain[y][x] for y in range(row - 1, row + 2) for x in range(column - 1, column + 2)
                       if 0 <= x < 96 and 0 <= y < 60}
             printed = re.findall(r"\((\d+), (\d+)\) = \((\d+), (\d+), (\d+)\)", err)

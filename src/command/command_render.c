@@ -148,8 +148,10 @@ static bool keep_picture(Painter *painter, const Scene *scene, Error *error)
 static void print_around(const Image *image, int column, int row)
 {
     for (int y = row - 1; y <= row + 1; y++) {
+        if (y < 0 || y >= image->rows)
+            continue;
         for (int x = column - 1; x <= column + 1; x++) {
-            if (x < 0 || x >= image->columns || y < 0 || y >= image->rows)
+            if (x < 0 || x >= image->columns)
                 continue;
             const unsigned char *rgb = image->rgb + ((size_t)y * (size_t)image->columns + (size_t)x) * 3;
             fprintf(stderr, "  (%d, %d) = (%d, %d, %d)", x, y, rgb[0], rgb[1], rgb[2]);
