@@ -112,6 +112,23 @@ class Steps(CommandTest):
                 text = self.run_program("trace", GALLERY, "--pixel", "9,9", "-a", accel, "-v")[0].decode()
                 self.assertIn(f"cut by {plane[1]} = {plane[2]} at", " ".join(text.split()))
 
+    def test_the_cheapest_cost_is_the_formula_s(self):
+        """step + (A1 n1 + A2 n2) / A, with half a face test for a step of the hierarchy and one for the k-d tree's."""
+        node = re.compile(r"Node (\d+), on level \d+: (\d+) faces in \(([^)]*)\) to \(([^)]*)\)")
+
+        def part_of(words):
+            low, high = ([float(x) for x in point.split(", ")] for point in words[2:])
+            x, y, z = (b - a for a, b in zip(low, high))
+            return x * y + y * z + z * x, int(words[1])
+        for accel, step in (("bvh", 0.5), ("kdtree", 1)):
+            for scene in (GALLERY, ORIGINAL):
+                out = self.run_program("tree", scene, "-a", accel, "--step", "3")[0].decode()
+                whole, low, high = (part_of(words) for words in node.findall(out))
+                cheapest = float(re.search(r"(?m)(\S+)  cheapest$", out)[1])
+                if high[1] and low[1] and "set apart" not in out.split("Step 2")[0]:
+                    cost = step + (low[0] * low[1] + high[0] * high[1]) / whole[0]
+                    self.assertAlmostEqual(cheapest, cost, delta=1e-4 * cost)
+
     def test_every_plane_is_listed_where_all_are_wanted(self):
         row = re.compile(r"(?m)^ +(\S+) +(\d+) +(\d+) +(\S+)( +cheapest)?$")
         for accel in ("kdtree", "bvh"):
