@@ -226,27 +226,42 @@ static void make_file(const char *path, const char *content)
     fclose(file);
 }
 
-static void binary_should_count_as_unpacked_when_all_of_its_code_is_there(void)
+/* The machine code is there whole, whatever was there before. PoCL alone makes the dummy. */
+static void binary_should_count_as_unpacked_when_its_code_and_the_dummy_are_there(void)
 {
-    char folder[] = "/tmp/rectray-pocl-XXXXXX", path[128];
-    unsigned char bytes[] = "binary code";
+    char folder[] = "/tmp/rectray-pocl-XXXXXX", code[512], dummy[256];
+    PoclBinary trimmed;
     TEST_ASSERT_NOT_NULL(mkdtemp(folder));
-    PoclBinary trimmed = {bytes, sizeof bytes - 1, "code.so", 4};
-    snprintf(path, sizeof path, "%s/code.so", folder);
     setenv("POCL_CACHE_DIR", folder, 1);
+    make_usual();
+    TEST_ASSERT_TRUE(trim(whole, size, &trimmed));
+    snprintf(code, sizeof code, "%s/%s", folder, trimmed.code_path);
+    snprintf(dummy, sizeof dummy, "%s/" FOLDER_OF_TRIMMED "/program.xx", folder);
+    TEST_ASSERT_TRUE(pocl_binary_unpack(&trimmed));
     TEST_ASSERT_FALSE(pocl_binary_is_unpacked(&trimmed));
-    make_file(path, "code");
+    make_file(dummy, "?");
     TEST_ASSERT_TRUE(pocl_binary_is_unpacked(&trimmed));
-    const char *others[] = {"", "cod", "codes", "cope"};
+    const char *others[] = {"", "\x7f",
+                            "\x7f"
+                            "ELF rest.?",
+                            "\x7f"
+                            "ELF nest."};
     for (int i = 0; i < 4; i++) {
-        make_file(path, others[i]);
+        make_file(code, others[i]);
         TEST_ASSERT_FALSE(pocl_binary_is_unpacked(&trimmed));
+        TEST_ASSERT_TRUE(pocl_binary_unpack(&trimmed));
+        TEST_ASSERT_TRUE(pocl_binary_is_unpacked(&trimmed));
     }
-    remove(path);
-    mkdir(path, 0700);
-    TEST_ASSERT_FALSE(pocl_binary_is_unpacked(&trimmed));
-    rmdir(path);
-    rmdir(folder);
+    remove(dummy);
+    remove(code);
+    TEST_ASSERT_EQUAL_INT(0, mkdir(code, 0700));
+    TEST_ASSERT_FALSE(pocl_binary_unpack(&trimmed));
+    remove(code);
+    for (char *slash; (slash = strrchr(code, '/')) > code + strlen(folder) - 1;) {
+        *slash = '\0';
+        TEST_ASSERT_EQUAL_INT(0, rmdir(code)); /* nothing else was left there */
+    }
+    free(trimmed.bytes);
 }
 
 int main(void)
@@ -258,6 +273,6 @@ int main(void)
     RUN_TEST(binary_should_stay_whole_when_its_files_are_others);
     RUN_TEST(only_the_tried_driver_should_be_known);
     RUN_TEST(driver_should_be_unknown_when_the_environment_tells_it_to_work_otherwise);
-    RUN_TEST(binary_should_count_as_unpacked_when_all_of_its_code_is_there);
+    RUN_TEST(binary_should_count_as_unpacked_when_its_code_and_the_dummy_are_there);
     return UNITY_END();
 }

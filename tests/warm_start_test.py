@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Compiled kernels that are kept: a later start gives the same picture without compiling, and whatever happens to the
 files of the two caches, ours and PoCL's, changes no picture and ends no program."""
+import concurrent.futures
 import glob
 import os
 import random
@@ -25,9 +26,9 @@ def checksum(data):
     return value
 
 
-def render(caches, **settings):
+def render(caches, name="picture.png", **settings):
     """The bytes of a picture made with the caches in that folder."""
-    picture = os.path.join(caches, "picture.png")
+    picture = os.path.join(caches, name)
     environment = dict(os.environ, RECTRAY_CACHE_DIR=os.path.join(caches, "rectray"),
                        POCL_CACHE_DIR=os.path.join(caches, "pocl"))
     environment.pop("POCL_WORK_GROUP_SPECIALIZATION", None)
@@ -102,6 +103,11 @@ class WarmStartTest(unittest.TestCase):
         for settings in ({"POCL_WORK_GROUP_SPECIALIZATION": "1"}, {"POCL_KERNEL_CACHE": "0"}):
             self.assertEqual(render(self.caches, **settings), self.picture)
         self.assertEqual(code_files(self.caches), [])
+
+    def test_starts_at_the_same_time_should_not_disturb_one_another(self):
+        with concurrent.futures.ThreadPoolExecutor(8) as pool:
+            for picture in pool.map(lambda i: render(self.caches, f"{i}.png"), range(8)):
+                self.assertEqual(picture, self.picture)
 
     def test_warm_start_should_work_where_pocl_cannot_unpack(self):
         self.check_warm()

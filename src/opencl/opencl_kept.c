@@ -37,7 +37,9 @@ static cl_program build_trimmed(cl_context context, cl_device_id device, const u
     PoclBinary trimmed;
     if (!pocl_binary_trim(binary, size, &trimmed))
         return NULL;
-    cl_program program = build_binary(context, device, trimmed.bytes, trimmed.size, options);
+    cl_program program = NULL;
+    if (pocl_binary_unpack(&trimmed))
+        program = build_binary(context, device, trimmed.bytes, trimmed.size, options);
     if (program && !pocl_binary_is_unpacked(&trimmed)) {
         clReleaseProgram(program);
         program = NULL;

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 extern char **environ;
 
@@ -42,7 +44,8 @@ enum {
     MAGIC_BYTES = 8,
     DEVICE_BYTES = 8,
     HASH_BYTES = 41, /* XX/XXXX...: a folder of PoCL's cache, in the letters A to P; and a NUL */
-    NAME_BYTES = 64
+    NAME_BYTES = 64,
+    PATH_BYTES = 4096
 };
 
 static const unsigned char magic[MAGIC_BYTES] = "poclbin";
@@ -197,19 +200,58 @@ bool pocl_binary_trim(const unsigned char *whole, size_t size, PoclBinary *trimm
     return true;
 }
 
-bool pocl_binary_is_unpacked(const PoclBinary *trimmed)
+/* A path below the folder of PoCL's cache. False: there is none. */
+static bool find_path(const char *below, char *path, size_t size)
 {
     const char *own = getenv("POCL_CACHE_DIR"), *xdg = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
-    const char *folder = own ? own : xdg ? xdg : home, *below = own ? "" : xdg ? "/pocl/kcache" : "/.cache/pocl/kcache";
-    char path[4096];
-    if (!folder || snprintf(path, sizeof path, "%s%s/%s", folder, below, trimmed->code_path) >= (int)sizeof path)
-        return false;
+    const char *folder = own ? own : xdg ? xdg : home, *cache = own ? "" : xdg ? "/pocl/kcache" : "/.cache/pocl/kcache";
+    return folder && snprintf(path, size, "%s%s/%s", folder, cache, below) < (int)size;
+}
+
+static const unsigned char *code_of(const PoclBinary *trimmed)
+{
+    return trimmed->bytes + trimmed->size - trimmed->code_size;
+}
+
+/* Is the file there, with that content? */
+static bool has_content(const char *path, const unsigned char *content, size_t size)
+{
     FILE *file = fopen(path, "rb");
-    unsigned char *code = file ? malloc(trimmed->code_size) : NULL;
-    bool same = code && fread(code, trimmed->code_size, 1, file) == 1 && getc(file) == EOF &&
-                memcmp(code, trimmed->bytes + trimmed->size - trimmed->code_size, trimmed->code_size) == 0;
-    free(code);
+    unsigned char *found = file ? malloc(size) : NULL;
+    bool same = found && fread(found, size, 1, file) == 1 && getc(file) == EOF && memcmp(found, content, size) == 0;
+    free(found);
     if (file)
         fclose(file);
     return same;
+}
+
+bool pocl_binary_unpack(const PoclBinary *trimmed)
+{
+    char path[PATH_BYTES], temporary[PATH_BYTES + 32];
+    if (!find_path(trimmed->code_path, path, sizeof path))
+        return false;
+    if (has_content(path, code_of(trimmed), trimmed->code_size))
+        return true;
+    for (char *slash = path + strlen(path) - strlen(trimmed->code_path); (slash = strchr(slash, '/')); slash++) {
+        *slash = '\0';
+        mkdir(path, 0700);
+        *slash = '/';
+    }
+    snprintf(temporary, sizeof temporary, "%s.%ld", path, (long)getpid());
+    FILE *file = fopen(temporary, "wb");
+    bool ok = file && fwrite(code_of(trimmed), trimmed->code_size, 1, file) == 1;
+    if (file)
+        ok = fclose(file) == 0 && ok;
+    if (ok && rename(temporary, path) == 0)
+        return true;
+    remove(temporary);
+    return false;
+}
+
+bool pocl_binary_is_unpacked(const PoclBinary *trimmed)
+{
+    char path[PATH_BYTES], dummy[HASH_BYTES + sizeof dummy_path];
+    snprintf(dummy, sizeof dummy, "%.*s%s", HASH_BYTES - 1, trimmed->code_path, dummy_path);
+    return find_path(dummy, path, sizeof path) && access(path, F_OK) == 0 &&
+           find_path(trimmed->code_path, path, sizeof path) && has_content(path, code_of(trimmed), trimmed->code_size);
 }

@@ -28,7 +28,11 @@ bool pocl_binary_is_known(const char *platform, const char *driver);
 /* Trims a binary. False: it is not exactly of the known form, or memory is short; then there is nothing to free. */
 bool pocl_binary_trim(const unsigned char *whole, size_t size, PoclBinary *trimmed);
 
-/* Has PoCL unpacked all machine code of a trimmed binary into its cache? */
+/* Puts the machine code of a trimmed binary where PoCL would unpack it, whole or not at all: PoCL leaves a file that it
+ * finds there, but two processes of PoCL that unpack at once write into each other's file. */
+bool pocl_binary_unpack(const PoclBinary *trimmed);
+
+/* After PoCL has built the program: is the machine code there, and is that the folder to which PoCL has unpacked? */
 bool pocl_binary_is_unpacked(const PoclBinary *trimmed);
 
 #endif
