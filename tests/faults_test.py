@@ -34,6 +34,7 @@ class FaultTest(CommandTest):
             environment["ASAN_OPTIONS"] = environment.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0"
         process = self.start(*words, env=environment, stdin=-1)
         out, err = process.communicate(text_in.encode() if text_in else None, timeout=120)
+        self.assertTrue(os.path.exists(log), f"it ended without its closing line: {process.returncode}, {err.decode()}")
         with open(log, encoding="ascii") as file:
             told = file.read().split()
         os.remove(log)
