@@ -56,7 +56,7 @@ class Names(unittest.TestCase):
     def test_a_face_has_the_name_of_its_part(self):
         text = self.output("trace", self.SCENE, "--face", "house: roof/6", "--summary", "-q")
         self.assertIn("camera -> P1 house: roof/6\n", text)
-        for name, found in (("house: walls", "house: walls/"), ("second house: roof", "...: roof/"),
+        for name, found in (("house: walls", "house: walls/"), ("second house: roof", "second house: roof/"),
                             ("house/6", "house: roof/6")):
             self.assertIn(found, self.output("trace", self.SCENE, "--face", name, "--summary", "-q"), name)
 
