@@ -56,11 +56,12 @@ bool hint_is_box(const Scene *scene, int object)
 bool hint_is_in_box(const Scene *scene, int object, Vec3 point)
 {
     const Object *box = &scene->objects[object];
-    int front = 0, back = 0;
+    int first = 0;
     for (int i = box->first_face; i < box->first_face + box->face_count; i++) {
         int side = plane_side(&scene->faces[i], &scene->planes[i], point);
-        front += side > 0;
-        back += side < 0;
+        first = i == box->first_face ? side : first;
+        if (side == 0 || side != first)
+            return false;
     }
-    return front == box->face_count || back == box->face_count;
+    return box->face_count == BOX_FACES;
 }

@@ -16,7 +16,7 @@ static bool light_is_black(const Light *light)
 static int box_around(const Scene *scene, const Light *light)
 {
     for (int i = 0; i < scene->object_count; i++)
-        if (hint_is_box(scene, i) && hint_is_in_box(scene, i, light->position) &&
+        if (hint_is_in_box(scene, i, light->position) && hint_is_box(scene, i) &&
             !hint_is_in_box(scene, i, scene->camera.position))
             return i;
     return -1;

@@ -3,14 +3,15 @@
 
 #include "scene/geometry.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 
 /* No more pairs than this are looked at: a hint is not worth more time. */
 enum { PAIRS_MOST = 1 << 22 };
 
-/* A plane, in steps that are larger than rounding. */
+/* A plane in steps that are larger than rounding, mixed into one number. */
 typedef struct PlaneKey {
-    long long part[4];
+    uint64_t plane;
     int face;
 } PlaneKey;
 
@@ -31,28 +32,19 @@ static PlaneKey key_of(const Scene *scene, int face, double reach)
     for (int axis = 2; axis >= 0; axis--)
         if (fabs(vec3_component(n, axis)) > 0.999 * largest)
             sign = vec3_component(n, axis) < 0 ? -1 : 1;
+    const double parts[4] = {n.x, n.y, n.z, scene->planes[face].d / reach};
     PlaneKey key = {.face = face};
-    for (int axis = 0; axis < 3; axis++)
-        key.part[axis] = llround(1e5 * sign * vec3_component(n, axis));
-    key.part[3] = llround(1e5 * sign * scene->planes[face].d / reach);
+    for (int i = 0; i < 4; i++) /* 2^64 by the golden ratio, as in Fibonacci hashing (Knuth, volume 3, section 6.4) */
+        key.plane = (key.plane ^ (key.plane >> 29) ^ (uint64_t)llround(1e5 * sign * parts[i])) * 0x9E3779B97F4A7C15;
     return key;
 }
 
 static int compare_keys(const void *a, const void *b)
 {
     const PlaneKey *x = a, *y = b;
-    for (int i = 0; i < 4; i++)
-        if (x->part[i] != y->part[i])
-            return x->part[i] < y->part[i] ? -1 : 1;
+    if (x->plane != y->plane)
+        return x->plane < y->plane ? -1 : 1;
     return (x->face > y->face) - (x->face < y->face);
-}
-
-static bool is_one_plane(const PlaneKey *a, const PlaneKey *b)
-{
-    for (int i = 0; i < 4; i++)
-        if (a->part[i] != b->part[i])
-            return false;
-    return true;
 }
 
 /* Does one of the edges of `face` have all of `other` on its outer side, but for a small part of it? */
@@ -93,7 +85,7 @@ static bool overlap(const Scene *scene, int a, int b)
 
 bool hints_find_planes(Hints *hints, const Scene *scene, Error *error)
 {
-    int count = scene->face_count, pairs = 0;
+    int count = scene->material_count > 1 ? scene->face_count : 0, pairs = 0;
     Hint hint = {HINT_SAME_PLANE, count, count, 0};
     PlaneKey *keys = malloc((size_t)count * sizeof *keys + 1);
     if (!keys)
@@ -103,7 +95,7 @@ bool hints_find_planes(Hints *hints, const Scene *scene, Error *error)
         keys[i] = key_of(scene, i, reach);
     qsort(keys, (size_t)count, sizeof *keys, compare_keys);
     for (int i = 0; i < count; i++)
-        for (int k = i + 1; k < count && pairs < PAIRS_MOST && is_one_plane(&keys[i], &keys[k]); k++, pairs++)
+        for (int k = i + 1; k < count && pairs < PAIRS_MOST && keys[i].plane == keys[k].plane; k++, pairs++)
             if (overlap(scene, keys[i].face, keys[k].face)) {
                 bool earlier = keys[i].face < hint.first || (keys[i].face == hint.first && keys[k].face < hint.second);
                 hint.first = earlier ? keys[i].face : hint.first;
