@@ -753,6 +753,17 @@ class Choosing(CommandTest):
                                 ("look for one", "--darkest", "--pixel", "1,1")):
             self.assertIn(message, self.run_program(*small, *words, status=2)[1])
 
+    def test_a_face_after_others_that_are_left_out_keeps_its_number(self):
+        with open(os.path.join(HERE, "scenes/original.json"), encoding="utf-8") as file:
+            document = json.load(file)
+        document["objects"] = [{"name": "m", "material": "purple", "obj": "m.obj"}]
+        self.put("m.json", json.dumps(document))
+        self.put("m.obj", "v -3 3 4\nv 3 3 4\nv 3 8 4\nv -3 8 4\n" + "f 1 1 2\n" * 5 + "f 1 2 3 4\n")
+        words = ("trace", "m.json", "--summary", "--face")
+        self.assertIn("camera -> P1 m/5", self.run_program(*words, "m/5")[0].decode())
+        self.assertIn("no pixel shows that", self.run_program(*words, "m/4", status=2)[1])
+        self.assertIn("the last face of that object is 5", self.run_program(*words, "m/6", status=2)[1])
+
     def test_several_pixels_are_told_one_after_another(self):
         one = [self.run_program("trace", "scene.json", "--pixel", pixel)[0] for pixel in ("4,3", "1,2")]
         both, _ = self.run_program("trace", "scene.json", "--pixel", "4,3", "--pixel", "1,2")

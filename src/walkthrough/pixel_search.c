@@ -6,6 +6,7 @@
 #include "trace/reference.h"
 #include "walkthrough/walkthrough.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -203,7 +204,7 @@ static bool find_face(Search *search, const Scene *scene, Error *error)
     find_owner(search, scene, name, length);
     if (search->object < 0)
         return refuse_name(scene, name, length, error);
-    search->face = !numbered ? -1 : number < scene->face_count ? (int)number : scene->face_count;
+    search->face = !numbered ? -1 : number < INT_MAX ? (int)number : INT_MAX;
     const Object *object = &scene->objects[search->object];
     int last =
         object->face_count > 0 ? walkthrough_face_in_object(scene, object->first_face + object->face_count - 1) : -1;
