@@ -1,6 +1,7 @@
 /* The functions of rectray.h, each a few calls of what the program itself uses. */
 #include "library/rectray.h"
 
+#include "base/number.h"
 #include "opencl/backend.h"
 #include "reader/scene_json.h"
 #include "scene/geometry.h"
@@ -14,6 +15,14 @@
 struct RectrayScene {
     Scene scene;
 };
+
+#ifdef __GNUC__
+/* The table of powers for long texts is made when the library is loaded: two threads must not make it at once. */
+static void __attribute__((constructor)) prepare(void)
+{
+    number_prepare();
+}
+#endif
 
 /* Hands the error on. Returns 0. */
 static int tell(const Error *from, RectrayError *to)
