@@ -39,7 +39,7 @@ kernel void probe_counts(constant Parameters *parameters, global const FaceRecor
     for (int face = 0; face < parameters->face_count; face++) {
         global const real *its_rows = face_rows + face * FACE_REALS;
         global const wide *its_planes = planes + face * PLANE_REALS;
-        World world = {parameters, faces + face, its_rows, its_planes, 1, 0, 0, 0, 0, 0, counters};
+        World world = {parameters, faces + face, its_rows, its_planes, 1, 0, 0, 0, 0, 0, i, counters};
         Ray ray = probe_ray(rays, i);
         Hit hit = find_nearest_from_point(&world, &ray, (Mask)-1);
         count += ANY(IS(hit.face >= (Mask)0));
@@ -56,7 +56,7 @@ kernel void probe_blocked(constant Parameters *parameters, global const FaceReco
     if (i >= parameters->ray_count)
         return;
     uint counters[COUNTER_KINDS] = {0};
-    World world = {parameters, faces, face_rows, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
+    World world = {parameters, faces, face_rows, planes, parameters->face_count, 0, 0, 0, 0, 0, i, counters};
     wide target[3] = {segments[6 * i + 3], segments[6 * i + 4], segments[6 * i + 5]};
     OriginPacket packets[PACKETS];
     LazyPoints points;
@@ -88,7 +88,7 @@ kernel void probe_points(constant Parameters *parameters, global const FaceRecor
     if (i >= parameters->ray_count)
         return;
     uint counters[COUNTER_KINDS] = {0};
-    World world = {parameters, faces, face_rows, planes, parameters->face_count, 0, 0, 0, 0, 0, counters};
+    World world = {parameters, faces, face_rows, planes, parameters->face_count, 0, 0, 0, 0, 0, i, counters};
     Ray ray = probe_ray(rays, i);
     Hit hit = find_nearest_from_point(&world, &ray, (Mask)-1);
     MaskElement face[LANES];
@@ -124,7 +124,7 @@ kernel void probe_colours(constant Parameters *parameters, global const FaceReco
     if (i >= parameters->ray_count)
         return;
     uint counters[COUNTER_KINDS] = {0};
-    World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights, view, 0, 0,
+    World world = {parameters, faces, face_rows, planes, parameters->face_count, materials, lights, view, 0, 0, i,
                    counters};
     Path paths[PACKETS];
     Ray rays_of[PACKETS];
