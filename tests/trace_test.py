@@ -662,6 +662,8 @@ class Options(CommandTest):
             self.assertNotIn("...", out)
             self.assertIn("camera -> P1 star/30 -> P2 mirror/0 -> P3 mirror: frame/8", lines)
             self.assertEqual(" ".join(out.split()).count("light 1 blocked by plinth of the star/1"), 2)
+        out = self.run_program("trace", scene, "--pixel", "67,54", "--size=96x72", "--summary", "--width=80")[0]
+        self.assertIn("\nP3  plinth of the star/1  1.085 ", out.decode())
 
     def test_long_names_are_cut_between_characters(self):
         with open(os.path.join(HERE, "scenes/original.json"), encoding="utf-8") as file:

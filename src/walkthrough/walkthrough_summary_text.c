@@ -7,7 +7,11 @@
 
 #include <string.h>
 
-enum { HITS_TOLD = 5, LIGHTS_INDENT = 6, DIGITS = 4, CELLS = 4, NUMBER_COLUMNS = 62, WORD_MOST = 44 };
+enum { HITS_TOLD = 5, LIGHTS_INDENT = 6, DIGITS = 4, CELLS = 4, WORD_MOST = 44 };
+
+enum { NAME_MOST = 40, NAME_LEAST = 14 }; /* columns of a face's name */
+
+static const char ADDS[] = "adds (red, green, blue)";
 
 /* --- The table of hits --- */
 
@@ -76,6 +80,26 @@ static Table table_of(const Summary *summary, int name_columns)
     return table;
 }
 
+/* Of its widest line, which may be the heading. */
+static int table_columns(const Table *table)
+{
+    int last = table->width[CELLS - 1], heading = (int)strlen(ADDS);
+    int columns = 4 + 2 * (CELLS - 1) + (last > heading ? last : heading);
+    for (int k = 0; k < CELLS - 1; k++)
+        columns += table->width[k];
+    return columns;
+}
+
+/* Names are cut only where the table would be too wide. */
+static Table table_within(const Summary *summary, int columns)
+{
+    int name_columns = NAME_MOST;
+    Table table = table_of(summary, name_columns);
+    while (name_columns > NAME_LEAST && table_columns(&table) > columns)
+        table = table_of(summary, --name_columns);
+    return table;
+}
+
 static InkText line_of(const Table *table, int index)
 {
     const Row *row = &table->rows[index];
@@ -135,17 +159,15 @@ static void print_row(const Ink *ink, const Summary *summary, const Table *table
 /* Prints the table in at most so many lines. */
 static void print_table(const Ink *ink, const Summary *summary, int lines)
 {
-    Table table = table_of(summary, ink->columns - NUMBER_COLUMNS);
+    Table table = table_within(summary, ink->columns);
     int room = lines - 1 - table.count, last = summary->hit_count - 1;
-    fprintf(ink->out, "    %-*s  %-*s  %-*s  adds (red, green, blue)\n", table.width[0], "face", table.width[1],
-            "distance", table.width[2], "weight");
+    fprintf(ink->out, "    %-*s  %-*s  %-*s  %s\n", table.width[0], "face", table.width[1], "distance", table.width[2],
+            "weight", ADDS);
     for (int i = 0; i < table.count; i++)
         print_row(ink, summary, &table, i, i > 0 && table.hits[i] < last, &room);
 }
 
 /* --- All of it --- */
-
-enum { PATH_NAME_LEAST = 14, PATH_NAME_MOST = 40 };
 
 /* A neighbour's bytes beside their colour, which takes the place of two blanks; only blanks where the picture ends. */
 static InkText cell_of(const Ink *ink, const WalkthroughAround *around, int k)
@@ -195,9 +217,9 @@ static void write_path(char *line, size_t size, const Summary *summary, int name
 /* Names are cut only where the path would take more than two lines. No word is longer than a name. */
 static void write_path_in_two_lines(char *line, size_t size, const Summary *summary, int columns)
 {
-    int name_columns = PATH_NAME_MOST;
+    int name_columns = NAME_MOST;
     write_path(line, size, summary, name_columns);
-    while (name_columns > PATH_NAME_LEAST && ink_width(line) > 2 * columns - name_columns)
+    while (name_columns > NAME_LEAST && ink_width(line) > 2 * columns - name_columns)
         write_path(line, size, summary, --name_columns);
 }
 
