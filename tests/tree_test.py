@@ -146,12 +146,30 @@ class Steps(CommandTest):
 
 
 class Drawing(CommandTest):
-    def test_the_svg_is_well_formed_and_has_a_rectangle_for_each_node(self):
-        nodes = rows_of(self.run_program("tree", ORIGINAL, "-a", "bvh")[0].decode())["nodes"][0]
-        self.run_program("tree", ORIGINAL, "-a", "bvh", "-o", "tree.svg")
+    def rectangles_of(self, scene, accel):
+        self.run_program("tree", scene, "-a", accel, "-o", "tree.svg")
         root = xml.etree.ElementTree.fromstring(self.bytes_of("tree.svg"))
-        boxes = [e for e in root.iter("{http://www.w3.org/2000/svg}rect") if e.get("class", "").startswith("level")]
-        self.assertEqual(len(boxes), 2 * nodes)
+        return list(root.iter("{http://www.w3.org/2000/svg}rect"))
+
+    def test_the_svg_is_well_formed_and_has_a_rectangle_for_each_node_in_each_panel(self):
+        """The boxes of the original scene lie close together on a large floor: they are shown once more."""
+        for scene, panels in ((ORIGINAL, 4), (GALLERY, 2)):
+            for accel, column in (("kdtree", 0), ("bvh", 0)):
+                nodes = rows_of(self.run_program("tree", scene, "-a", accel)[0].decode())["nodes"][column]
+                rectangles = self.rectangles_of(scene, accel)
+                boxes = [e for e in rectangles if e.get("class", "").startswith("level")]
+                self.assertEqual(len(boxes), panels * nodes)
+                self.assertEqual(len([e for e in rectangles if e.get("class") == "zoom"]), panels - 2)
+
+    def test_a_crowd_of_small_leaves_fills_a_panel_of_its_own(self):
+        self.run_program("generate", "city", "--size", "30", "-o", "city.json")
+        for accel in ("kdtree", "bvh"):
+            rectangles = self.rectangles_of("city.json", accel)
+            zooms = [e for e in rectangles if e.get("class") == "zoom"]
+            papers = [e for e in rectangles if e.get("class") == "paper"]
+            self.assertEqual((len(zooms), len(papers)), (2, 4))
+            for zoom, paper in zip(zooms, papers):  # before, it is this small
+                self.assertLess(float(zoom.get("width")), float(paper.get("width")) / 3)
 
 
 class Chapter(unittest.TestCase):
