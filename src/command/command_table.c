@@ -28,7 +28,7 @@ const Command command_table[] = {
      {{"rectray bench scenes/*.json", "the phases of each scene, medians of 5"},
       {"rectray bench kernels scenes/gallery.json --grid 1", "from the plain kernel to packets and tiles"}}},
     {"tree", "SCENE", 1, 1, "Shows the trees of a scene: their size, how they are built, their boxes.", command_tree,
-     {{"rectray tree scenes/gallery.json", "nodes, depth and cost of both trees"},
+     {{"rectray tree scenes/gallery.json", "nodes, depth and cost of the three trees"},
       {"rectray tree scenes/original.json --accel kdtree --step 3", "how the first three nodes were split"}}},
     {"generate", "KIND", 1, 1, "Writes a scene of a given size: menger, city or grid.", command_generate,
      {{"rectray generate menger --size 3 -o menger.json", "a sponge of three steps"},
