@@ -100,9 +100,14 @@ class Formats(CommandTest):
                            (b"PK\x03\x04\x14\0", "3MF"), (b"Kaydara FBX Binary  \0", "an FBX file"),
                            (b"VOX \x96\0\0\0", "MagicaVoxel"), (b"OFF\n8 6 0\n", "an OFF file"),
                            (b"newmtl red\nKd 1 0 0\n", "a material library"), (b"#VRML V2.0 utf8", "a VRML file"),
-                           (b'<?xml version="1.0"?>\n<COLLADA', "Collada"), (b"ISO-10303-21;", "STEP or IFC")):
-            with self.subTest(data):
-                self.assertRegex(self.says(data), rf"^model: this is [^;]*{name}[^;]*; [^\n]+\n$")
+                           (b'<?xml version="1.0"?>\n<COLLADA', "Collada"), (b"ISO-10303-21;", "STEP or IFC"),
+                           (b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "Git LFS"),
+                           (b"404: Not Found", "no such file"), (b"\x1f\x8b\x08\0", "a gzip archive"),
+                           (b"\x89PNG\r\n\x1a\n\0", "a PNG picture"), (b"  0\r\nSECTION\r\n", "a DXF file"),
+                           (b"  0\nSECTION\n", "a DXF file")):
+            for padded in (data, data.ljust(200, b"\0")):  # real ones have NULs within the first 84 bytes
+                with self.subTest(padded):
+                    self.assertRegex(self.says(padded), rf"^model: this is [^;]*{name}[^;]*; [^\n]+\n$")
 
     def test_broken_ply_files(self):
         header = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"

@@ -23,6 +23,12 @@ static const struct {
     {"<collada", "a Collada file", EXPORT},
     {"{", "a JSON file, such as glTF or CityJSON",
      "convert it: assimp export MODEL model.obj, or cjio MODEL export obj"},
+    {"version https://git-lfs", "a pointer of Git LFS", "get the model itself: git lfs pull"},
+    {"404: Not Found", "a server's answer that there is no such file", "download the model again"},
+    {"\037\213", "a gzip archive", "unpack it: gunzip MODEL"},
+    {"\211PNG", "a PNG picture", "name the model"},
+    {"0\nSECTION", "a DXF file", EXPORT},
+    {"0\r\nSECTION", "a DXF file", EXPORT},
     {"glTF", "a binary glTF file", EXPORT},
     {"PK\003\004", "a ZIP archive, such as 3MF or USDZ", "unpack it, or export the model as OBJ, PLY or STL"},
     {"Kaydara FBX", "an FBX file", EXPORT},
@@ -84,14 +90,14 @@ bool scene_model_read(SceneBuild *build, const char *path)
         return scene_ply_read(build, path);
     if (scene_stl_is_binary(head.bytes, head.length, head.size))
         return scene_stl_read(build, path, true);
+    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
+        if (begins(head.text, foreign[i].begin))
+            return error_set(build->error, ERROR_INPUT, "%s: this is %s; %s", path, foreign[i].name, foreign[i].cure);
     if (head.length >= 84 && memchr(head.bytes, '\0', 84) && !text_is_utf16(head.bytes))
         return error_set(build->error, ERROR_INPUT,
                          "%s: is a binary file of no known format; if it is an STL, it is not whole", path);
     if (scene_stl_is_text(head.text))
         return scene_stl_read(build, path, false);
-    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
-        if (begins(head.text, foreign[i].begin))
-            return error_set(build->error, ERROR_INPUT, "%s: this is %s; %s", path, foreign[i].name, foreign[i].cure);
     return scene_obj_read(build, path);
 }
 
