@@ -109,6 +109,11 @@ class Formats(CommandTest):
                 with self.subTest(padded):
                     self.assertRegex(self.says(padded), rf"^model: this is [^;]*{name}[^;]*; [^\n]+\n$")
 
+    def test_a_name_that_is_empty(self):
+        self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": ""}]}))
+        err = self.run_program("check", "scene.json", status=1)[1]
+        self.assertIn('objects[0].obj: must be the name of a file, not ""\n', err)
+
     def test_broken_ply_files(self):
         header = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         face = b"element face 1\nproperty list uchar int vertex_indices\nend_header\n"

@@ -154,6 +154,8 @@ static bool read_obj(const Json *json, const cJSON *item, bool is_named, SceneBu
     const char *name = NULL;
     if (!json_string(json, item, &name))
         return false;
+    if (!*name)
+        return json_fail(json, item, "must be the name of a file, not \"\"");
     char *path = text_beside(json->name, name, json->error);
     if (!path)
         return false;
