@@ -146,6 +146,21 @@ class Formats(CommandTest):
                          "model.ply:12: note: a line of an unknown kind is left out: property red\n")
         self.assertIn(b"1 of them triangles", out)
 
+    def test_what_follows_the_last_element_of_a_ply_file_is_noted(self):
+        header = b"ply\nformat %s 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" \
+            b"element face 1\nproperty list uchar uchar vertex_indices\nend_header\n"
+        text = header % b"ascii" + b"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+        binary = header % b"binary_big_endian" + struct.pack(">9f4B", 0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2)
+        self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": "model.ply"}]}))
+        told = "model.ply{}: note: a line of an unknown kind is left out: bytes behind the last element: 7\n"
+        for data, line in ((text, None), (text + b"\r\n \0", None), (text + b"\n3 0 1 2", ":15"), (binary, None),
+                           (binary + b"\n", None), (binary + b"3 0 1 2", "")):
+            with self.subTest(data):
+                with open(self.path("model.ply"), "wb") as file:
+                    file.write(data)
+                err = self.run_program("check", "scene.json")[1]
+                self.assertEqual(err, "" if line is None else told.format(line))
+
     def test_broken_binary_files_name_the_element(self):
         header = (b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
                   b"property double z\nelement face 2\nproperty list uchar ushort vertex_index\nend_header\n")

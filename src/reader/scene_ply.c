@@ -217,6 +217,17 @@ static bool read_element(PlyReader *ply, bool is_vertex, bool is_face)
     return !is_vertex || scene_build_point(ply->build, vec3(c[0], c[1], c[2])) || fail(ply, "%s", ply->build->reason);
 }
 
+/* What follows the last element, but for blanks. */
+static bool note_the_rest(PlyReader *ply)
+{
+    char size[NAME];
+    for (; ply->at < ply->end && strchr(" \t\r\n", *ply->at); ply->at++) /* true of a NUL, too */
+        ply->line += *ply->at == '\n' || (*ply->at == '\r' && ply->at[1] != '\n');
+    snprintf(size, sizeof size, "%ld", (long)(ply->end - ply->at));
+    ply->line = ply->format == TEXT ? ply->line : 0;
+    return ply->at == ply->end || note(ply, NOTE_UNKNOWN, "bytes behind the last element:", size, 1);
+}
+
 static bool read_file(PlyReader *ply)
 {
     for (bool ended = false; !ended;)
@@ -232,9 +243,10 @@ static bool read_file(PlyReader *ply)
             if (!read_element(ply, is_vertex, is_face))
                 return false;
     }
-    return ply->build->next_number > before ||
-           error_set(ply->build->error, ERROR_INPUT, "%s: this PLY file holds no face (a list vertex_indices)",
-                     ply->path);
+    if (ply->build->next_number == before)
+        return error_set(ply->build->error, ERROR_INPUT, "%s: this PLY file holds no face (a list vertex_indices)",
+                         ply->path);
+    return note_the_rest(ply);
 }
 
 bool scene_ply_read(SceneBuild *build, const char *path)
