@@ -109,6 +109,17 @@ class Formats(CommandTest):
                 with self.subTest(padded):
                     self.assertRegex(self.says(padded), rf"^model: this is [^;]*{name}[^;]*; [^\n]+\n$")
 
+    def test_what_a_library_asks_for_without_a_number_is_noted(self):
+        self.put("model.obj", "mtllib model.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n")
+        self.put("scene.json", json.dumps(SCENE | {"objects": [{"obj": "model.obj"}]}))
+        for key in ("illum", "d", "Tr"):
+            for value in ("", " x", " nan", " -1"):
+                with self.subTest(key + value):
+                    self.put("model.mtl", f"newmtl red\nKd 1 0 0\n{key}{value}\nnewmtl other\n{key}\n")
+                    self.assertEqual(self.run_program("check", "scene.json")[1],
+                                     "model.mtl:3: note: a line of an unknown kind is left out: "
+                                     f"{key}, which needs a number from 0\n")
+
     def test_a_name_that_is_empty(self):
         self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": ""}]}))
         err = self.run_program("check", "scene.json", status=1)[1]

@@ -110,18 +110,36 @@ static bool read_emission(MtlReader *reader, ScanWord key)
     return vec3_largest(colour) == 0 || remark(reader, NOTE_EMISSION, line, detail);
 }
 
+/* "illum", "d" and "Tr". A line without a number from 0 is left out. */
+static bool read_request(MtlReader *reader, ScanWord key)
+{
+    MtlDraft *draft = &reader->draft;
+    char detail[MTL_DETAIL];
+    long line = reader->scan.line;
+    double number = last_number(&reader->scan);
+    snprintf(detail, sizeof detail, "%.*s, which needs a number from 0", key.length, key.text);
+    if (!(number >= 0))
+        return remark(reader, NOTE_UNKNOWN, line, detail) && scan_next_line(&reader->scan);
+    if (scan_word_is(key, "illum")) {
+        draft->illum = (int)fmin(number, 1000);
+        draft->illum_line = line;
+    } else {
+        *(key.length == 1 ? &draft->opaque : &draft->transparent) = number;
+        draft->opacity_line = line;
+    }
+    return scan_next_line(&reader->scan);
+}
+
 bool mtl_read_key(MtlReader *reader, ScanWord key)
 {
     LineScan *scan = &reader->scan;
     Material *material = &reader->now->material;
-    MtlDraft *draft = &reader->draft;
-    long line = scan->line;
     if (scan_word_is(key, "Ka")) {
-        reader->now->ambient_line = line;
+        reader->now->ambient_line = scan->line;
         return read_colour(scan, key, &material->ambient);
     }
     if (scan_word_is(key, "Kd")) {
-        draft->has_diffuse = true;
+        reader->draft.has_diffuse = true;
         return read_colour(scan, key, &material->diffuse);
     }
     if (scan_word_is(key, "Ks"))
@@ -130,15 +148,9 @@ bool mtl_read_key(MtlReader *reader, ScanWord key)
         return read_shininess(scan, &material->shininess);
     if (scan_word_is(key, "Ke"))
         return read_emission(reader, key);
-    if (scan_word_is(key, "illum")) {
-        draft->illum = (int)fmax(-1, fmin(last_number(scan), 1000));
-        draft->illum_line = line;
-    } else if (scan_word_is(key, "d") || scan_word_is(key, "Tr")) {
-        *(key.length == 1 ? &draft->opaque : &draft->transparent) = last_number(scan);
-        draft->opacity_line = line;
-    } else
-        return read_unused(reader, key);
-    return scan_next_line(scan);
+    if (scan_word_is(key, "illum") || scan_word_is(key, "d") || scan_word_is(key, "Tr"))
+        return read_request(reader, key);
+    return read_unused(reader, key);
 }
 
 /* illum 3, 5 and 8 are mirrors. */
