@@ -120,6 +120,13 @@ class Formats(CommandTest):
                                      "model.mtl:3: note: a line of an unknown kind is left out: "
                                      f"{key}, which needs a number from 0\n")
 
+    def test_a_ply_file_may_begin_with_a_byte_order_mark(self):
+        self.put("model.ply", "\ufeffply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                 "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": "model.ply"}]}))
+        self.assertIn(b"1 of them triangles", self.run_program("check", "scene.json")[0])
+
     def test_a_name_that_is_empty(self):
         self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": ""}]}))
         err = self.run_program("check", "scene.json", status=1)[1]

@@ -259,6 +259,7 @@ bool scene_ply_read(SceneBuild *build, const char *path)
         return error_memory(build->error, path);
     if (good) {
         *ply = (PlyReader){.build = build, .path = path, .at = text, .end = text + length};
+        ply->at += strncmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0; /* a byte order mark */
         number_prepare();
         good = scene_build_model(build, path);
         build->object.first_number = 0;
