@@ -127,6 +127,12 @@ class Formats(CommandTest):
         self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": "model.ply"}]}))
         self.assertIn(b"1 of them triangles", self.run_program("check", "scene.json")[0])
 
+    def test_stl_words_may_be_capitals(self):
+        self.put("model.stl", "SOLID X\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\n"
+                 "ENDLOOP\nENDFACET\nENDSOLID X\n")
+        self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": "model.stl"}]}))
+        self.assertIn(b"1 of them triangles", self.run_program("check", "scene.json")[0])
+
     def test_a_name_that_is_empty(self):
         self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": ""}]}))
         err = self.run_program("check", "scene.json", status=1)[1]

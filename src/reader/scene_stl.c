@@ -51,6 +51,12 @@ static bool read_vertex(StlText *stl, long line)
                : scan_fail(&stl->scan, line, "%s", stl->build->reason);
 }
 
+/* Some programs write capitals. */
+static bool is_word(ScanWord key, const char *name)
+{
+    return key.length == (int)strlen(name) && strncasecmp(key.text, name, strlen(name)) == 0;
+}
+
 static bool read_line(void *user)
 {
     static const char *const others[] = {"", "facet", "outer", "endloop", "endsolid"};
@@ -58,18 +64,18 @@ static bool read_line(void *user)
     scan_blanks(&stl->scan);
     long line = stl->scan.line;
     ScanWord key = scan_word(&stl->scan);
-    if (scan_word_is(key, "vertex"))
+    if (is_word(key, "vertex"))
         return read_vertex(stl, line);
-    if (scan_word_is(key, "solid"))
+    if (is_word(key, "solid"))
         return scene_build_part(stl->build, scan_rest(&stl->scan));
-    if (scan_word_is(key, "endfacet")) {
+    if (is_word(key, "endfacet")) {
         if (stl->vertices != 3)
             return scan_fail(&stl->scan, line, "a facet of %d vertices; it needs 3", stl->vertices);
         stl->vertices = 0;
         return scan_next_line(&stl->scan);
     }
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-        if (scan_word_is(key, others[i]))
+        if (is_word(key, others[i]))
             return scan_next_line(&stl->scan);
     return scan_fail(&stl->scan, line, "%s is no word of STL (solid, facet, vertex, ...)", scan_quote(key).text);
 }
