@@ -88,6 +88,21 @@ class Speed(BenchTest):
         self.assertIn("missing", self.bench(SCENE, "-o", page, status=1).stderr)
         self.assertEqual(self.read(page), "words\n")
 
+    def test_a_page_that_is_not_there_is_made_and_renewed(self):
+        for words in ([SCENE], ["kernels", SCENE]):
+            with self.subTest(words):
+                self.bench(*words, "-o", "new.md")
+                first = self.read("new.md").splitlines()
+                self.assertRegex(first[0], "^<!-- bench.*: made by .* from here -->$")
+                self.assertRegex(first[-1], "^<!-- bench.*: to here -->$")
+                self.assertIn("minimal", "".join(first[1:-1]))
+                self.bench(*words, "-o", "new.md")
+                self.assertEqual(len(self.read("new.md").splitlines()), len(first))
+                self.assertIn("minimal", self.bench(*words, "-o", "-").stdout)
+                self.assertEqual(self.files(), ["new.md"])
+                os.remove(os.path.join(self.folder.name, "new.md"))
+        self.assertIn("nowhere/new.md", self.bench("missing.json", "-o", "nowhere/new.md", status=3).stderr)
+
     def test_a_wrong_scene_and_no_scene_are_refused(self):
         self.bench("missing.json", status=1)
         self.bench("error", "missing.json", status=1)

@@ -9,13 +9,38 @@
 
 enum { DOCUMENT_LIMIT = 16 << 20 };
 
+/* Whether a file can be made there. Nothing stays of the attempt. */
+static bool is_writable(const char *path, Error *error)
+{
+    Output output;
+    if (!output_open(&output, path, "the page", error))
+        return false;
+    output_abort(&output);
+    return true;
+}
+
+/* A page of the two marks alone. */
+static char *new_page(const char *path, const char *begin, const char *end, Error *error)
+{
+    if (!is_writable(path, error))
+        return NULL;
+    size_t size = strlen(begin) + strlen(end) + 1;
+    char *text = malloc(size);
+    if (text)
+        snprintf(text, size, "%s%s", begin, end);
+    else
+        error_memory(error, "the page");
+    return text;
+}
+
 bool bench_document_read(BenchDocument *document, const char *path, const char *begin, const char *end, Error *error)
 {
     long length;
     *document = (BenchDocument){.path = path};
-    if (!path)
+    if (!path || strcmp(path, "-") == 0)
         return true;
-    document->text = text_read(path, DOCUMENT_LIMIT, &length, error);
+    document->text =
+        text_exists(path) ? text_read(path, DOCUMENT_LIMIT, &length, error) : new_page(path, begin, end, error);
     if (!document->text)
         return false;
     char *mark = strstr(document->text, begin);

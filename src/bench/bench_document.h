@@ -8,12 +8,13 @@
 
 typedef struct BenchDocument {
     const char *path;
-    char *text; /* NULL: none is wanted */
+    char *text; /* NULL: none is wanted, the tables are printed */
     char *begin, *end;
 } BenchDocument;
 
-/* Reads the page and finds the marks: two whole lines, each with its newline. A NULL path wants none. A page that is
- * not there or has no such marks is an error, to be told before anything is measured. */
+/* Reads the page and finds the marks: two whole lines, each with its newline. A NULL path and "-", standard output, want
+ * none. A page that is not there will be made, with the marks. One without marks, or that cannot be made, is an error,
+ * to be told before anything is measured. */
 bool bench_document_read(BenchDocument *document, const char *path, const char *begin, const char *end, Error *error);
 
 /* Replaces what is between the marks by what `print` writes. */
