@@ -112,6 +112,24 @@ class Speed(BenchTest):
             self.assertIn("rectray bench error", message)
         self.assertEqual(self.files(), [])
 
+    def test_whole_processes_have_the_settings_that_were_asked_for(self):
+        """Each of the three leaves another picture of this lesson."""
+        lesson = os.path.abspath("scenes/lessons/light_in_the_plane.json")
+        pictures = set()
+        for words in ([], ["--kernel=plain", "--arithmetic=textbook", "--precision=double", "--accel=none"],
+                      ["--kernel=plain", "--arithmetic=textbook", "--precision=double", "--shift=0", "--threads=1"]):
+            with self.subTest(words):
+                self.bench(lesson, "--folder", "files", *words)
+                made = os.path.join(self.folder.name, "files", "picture.png")
+                wanted = os.path.join(self.folder.name, "wanted.png")
+                subprocess.run([RECTRAY, "render", lesson, *words, "--size=8x6", "--grid=1", "-q", "-o", wanted],
+                               check=True)
+                with open(made, "rb") as ours, open(wanted, "rb") as theirs:
+                    picture = ours.read()
+                    self.assertEqual(picture, theirs.read())
+                pictures.add(picture)
+        self.assertEqual(len(pictures), 3)
+
     def test_files_go_to_the_folder_that_was_chosen(self):
         self.bench(SCENE)
         self.assertEqual(self.files(), [])

@@ -51,28 +51,65 @@ static bool read_phases(const char *line, Run *run)
     return ok;
 }
 
-static bool render_process(const BenchScene *scene, const BenchFolder *folder, Run *run, Error *error)
+/* The options of `render` that ask for these settings. */
+typedef struct SettingWords {
+    char text[9][32];
+    int count;
+} SettingWords;
+
+static void add_word(SettingWords *words, const char *option, const char *value)
+{
+    snprintf(words->text[words->count++], sizeof *words->text, "--%s=%s", option, value);
+}
+
+static void add_number(SettingWords *words, const char *option, double value)
+{
+    snprintf(words->text[words->count++], sizeof *words->text, "--%s=%.9g", option, value);
+}
+
+static SettingWords words_of(const RenderSettings *settings)
+{
+    SettingWords words = {.count = 0};
+    add_word(&words, "precision", render_precisions[settings->precision]);
+    add_word(&words, "kernel", render_kernels[settings->kernel]);
+    add_word(&words, "accel", render_accels[settings->accel]);
+    add_word(&words, "arithmetic", render_arithmetics[settings->arithmetic]);
+    if (settings->arithmetic == ARITHMETIC_TEXTBOOK)
+        add_number(&words, "shift", settings->shift);
+    if (settings->device >= 0)
+        add_number(&words, "device", settings->device);
+    if (settings->threads > 0)
+        add_number(&words, "threads", settings->threads);
+    if (settings->lanes > 0)
+        add_number(&words, "lanes", settings->lanes);
+    return words;
+}
+
+static bool render_process(const BenchScene *scene, const BenchPlan *plan, Run *run, Error *error)
 {
     char program[1024], size[32], grid[16], line[8192];
+    SettingWords words = words_of(&plan->settings);
     snprintf(size, sizeof size, "--size=%dx%d", scene->columns, scene->rows);
     snprintf(grid, sizeof grid, "--grid=%d", scene->grid);
     /* Both caches of kernels: see kernel_cache.h, and PoCL's manual. */
-    BenchPath own_cache = bench_path(folder, "RECTRAY_CACHE_DIR=", "cache/kernels"),
-              driver_cache = bench_path(folder, "POCL_CACHE_DIR=", "cache/driver"),
-              picture = bench_path(folder, "", "picture.png");
-    const char *argv[] = {"env",
-                          own_cache.text,
-                          driver_cache.text,
-                          own_path(program, sizeof program),
-                          "render",
-                          scene->path,
-                          size,
-                          grid,
-                          "--quiet",
-                          "--stats=json",
-                          "-o",
-                          picture.text,
-                          NULL};
+    BenchPath own_cache = bench_path(&plan->folder, "RECTRAY_CACHE_DIR=", "cache/kernels"),
+              driver_cache = bench_path(&plan->folder, "POCL_CACHE_DIR=", "cache/driver"),
+              picture = bench_path(&plan->folder, "", "picture.png");
+    const char *argv[24] = {"env",
+                            own_cache.text,
+                            driver_cache.text,
+                            own_path(program, sizeof program),
+                            "render",
+                            scene->path,
+                            size,
+                            grid,
+                            "--quiet",
+                            "--stats=json",
+                            "-o",
+                            picture.text};
+    int count = 12;
+    for (int i = 0; i < words.count; i++)
+        argv[count++] = words.text[i];
     if (!process_run(argv, line, sizeof line, &run->wall_ms, error))
         return false;
     return read_phases(line, run) || error_set(error, ERROR_SYSTEM, "render told no statistics");
@@ -88,16 +125,16 @@ static bool empty_cache(const BenchFolder *folder, Error *error)
 
 /* The run whose wall-clock time is the median stands for all
  * of them: its phases add up. The memory is the last one's. */
-static bool median_process(const BenchScene *scene, const BenchFolder *folder, bool cold, int repeats, Run *median,
+static bool median_process(const BenchScene *scene, const BenchPlan *plan, bool cold, int repeats, Run *median,
                            Error *error)
 {
     Run runs[BENCH_MAX_REPEATS];
     double sorted[BENCH_MAX_REPEATS];
     repeats |= 1; /* odd, so that one of them is the median */
     for (int i = 0; i < repeats; i++) {
-        if (cold && !empty_cache(folder, error))
+        if (cold && !empty_cache(&plan->folder, error))
             return false;
-        if (!render_process(scene, folder, &runs[i], error))
+        if (!render_process(scene, plan, &runs[i], error))
             return false;
         sorted[i] = runs[i].wall_ms;
     }
@@ -112,7 +149,7 @@ static bool median_process(const BenchScene *scene, const BenchFolder *folder, b
 bool bench_process_warm(BenchProcess *result, const BenchScene *scene, const BenchPlan *plan, Error *error)
 {
     Run warm = {0};
-    if (!median_process(scene, &plan->folder, false, plan->repeats, &warm, error))
+    if (!median_process(scene, plan, false, plan->repeats, &warm, error))
         return false;
     result->scene = *scene;
     result->warm = warm.phases;
@@ -126,7 +163,7 @@ bool bench_process(BenchProcess *result, const BenchScene *scene, const BenchPla
 {
     Run cold = {0};
     *result = (BenchProcess){.scene = *scene};
-    if (!median_process(scene, &plan->folder, true, plan->repeats / 2, &cold, error))
+    if (!median_process(scene, plan, true, plan->repeats / 2, &cold, error))
         return false;
     result->cold = cold.phases;
     result->cold_wall_ms = cold.wall_ms;
