@@ -12,9 +12,9 @@ typedef struct BenchDocument {
     char *begin, *end;
 } BenchDocument;
 
-/* Reads the page and finds the marks: two whole lines, each with its newline. A NULL path and "-", standard output, want
- * none. A page that is not there will be made, with the marks. One without marks, or that cannot be made, is an error,
- * to be told before anything is measured. */
+/* Reads the page and finds the marks: two whole lines, each with its newline. A NULL path and "-", standard output,
+ * want none. A page that is not there will be made, with the marks. One without marks, or that cannot be made, is an
+ * error, to be told before anything is measured. */
 bool bench_document_read(BenchDocument *document, const char *path, const char *begin, const char *end, Error *error);
 
 /* Replaces what is between the marks by what `print` writes. */
