@@ -133,6 +133,18 @@ class Formats(CommandTest):
         self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": "model.stl"}]}))
         self.assertIn(b"1 of them triangles", self.run_program("check", "scene.json")[0])
 
+    def test_words_that_a_terminal_would_obey_are_not_told_as_they_are(self):
+        self.put("model.obj", "mtllib model.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n")
+        self.put("model.mtl", "newmtl red\nKd 1 0 0\n\033[2J\033 1\n")
+        self.put("model.ply", "ply\nformat ascii 1.0\nelement \033[2J 0\nelement vertex 3\nproperty float x\n"
+                 "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                 "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        objects = [{"obj": "model.obj"}, {"material": "pink", "obj": "model.ply"}]
+        self.put("scene.json", json.dumps(SCENE | {"objects": objects}))
+        told = "note: a line of an unknown kind is left out:"
+        self.assertEqual(self.run_program("check", "scene.json")[1],
+                         f'model.mtl:3: {told} ?[2J? "1"\nmodel.ply:3: {told} element ?[2J\n')
+
     def test_a_name_that_is_empty(self):
         self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": ""}]}))
         err = self.run_program("check", "scene.json", status=1)[1]

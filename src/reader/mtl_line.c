@@ -69,9 +69,11 @@ static bool is_one_of(ScanWord key, const char *const *words)
 /* "KEY REST", for a note. */
 static void describe(MtlReader *reader, ScanWord key, char detail[MTL_DETAIL])
 {
-    char quoted[32];
-    snprintf(quoted, sizeof quoted, "%.*s", key.length, key.text);
-    snprintf(detail, MTL_DETAIL, "%s %s", quoted, text_quote(scan_rest(&reader->scan)).text);
+    char word[32];
+    snprintf(word, sizeof word, "%.*s", key.length, key.text);
+    Quoted quoted = text_quote(word); /* used without its quotation marks */
+    int length = (int)strlen(quoted.text) - 2;
+    snprintf(detail, MTL_DETAIL, "%.*s %s", length, quoted.text + 1, text_quote(scan_rest(&reader->scan)).text);
 }
 
 /* Keys that ask for what is not done. */

@@ -72,7 +72,8 @@ static int find(const char *word, const char *const *words, int count)
 static bool note(PlyReader *ply, NoteName name, const char *what, const char *word, long count)
 {
     char detail[2 * NAME];
-    snprintf(detail, sizeof detail, "%s %s", what, word);
+    Quoted quoted = text_quote(word); /* used without its quotation marks */
+    snprintf(detail, sizeof detail, "%s %.*s", what, (int)strlen(quoted.text) - 2, quoted.text + 1);
     return scene_build_note(ply->build, name, ply->path,
                             (NotePlace){.line = ply->line, .count = count, .detail = detail});
 }
