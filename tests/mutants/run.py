@@ -36,7 +36,7 @@ def copy_tree(folder):
     for name in COPIED:
         subprocess.run(["cp", "-a", name, folder], check=True)
     os.makedirs(f"{folder}/build")
-    for name in ["src", "tests", "unity", "kernel_sources.c", "kernel_sources.o", "librectray.a", "stress", "rectray",
+    for name in ["src", "tests", "unity", "kernel_sources.c", "kernel_sources.o", "rectray-parts.a", "stress", "rectray",
                  ".libraries-found"]:
         if os.path.exists(f"build/{name}"):
             subprocess.run(["cp", "-a", f"build/{name}", f"{folder}/build"], check=True)
@@ -86,7 +86,7 @@ def try_mutant(folder, mutant):
 
 def undo(folder, file):
     """The mutant's objects must not stay: what depends on the file is taken from the build again."""
-    names = ["librectray.a", "stress", "rectray"]
+    names = ["rectray-parts.a", "stress", "rectray"]
     if file.startswith("kernels/"):
         names += ["kernel_sources.c", "kernel_sources.o"]
     if file.endswith(".c"):
