@@ -206,9 +206,12 @@ cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, c
     return make_buffer(session, flags, bytes, (void *)(size_t)data, error);
 }
 
+/* Less than this is copied: it costs nothing, and Oclgrind takes memory that it has not copied for unwritten. */
+enum { TAKEN_BYTES = 1 << 20 };
+
 cl_mem opencl_take(OpenclSession *session, void *data, size_t bytes, Error *error)
 {
-    if (strcmp(session->info.type, "CPU") == 0) {
+    if (strcmp(session->info.type, "CPU") == 0 && bytes >= TAKEN_BYTES) {
         session->taken[session->taken_count++] = data;
         return make_buffer(session, CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes, data, error);
     }

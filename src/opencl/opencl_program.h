@@ -63,8 +63,8 @@ void opencl_close(OpenclSession *session);
 /* A buffer with a copy of `data`, or uninitialised where data is NULL; NULL with the error filled on failure. */
 cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, const void *data, Error *error);
 
-/* A buffer for reading that takes over `data`, which array_aligned gave, also where it fails. On a CPU the buffer is
- * that memory, so that a large scene is not there twice; elsewhere it is a copy. */
+/* A buffer for reading that takes over `data`, which array_aligned gave, also where it fails. On a CPU the buffer of a
+ * large scene is that memory, so that the scene is not there twice; elsewhere it is a copy. */
 cl_mem opencl_take(OpenclSession *session, void *data, size_t bytes, Error *error);
 
 /* A kernel with its buffers as arguments, in order; the caller releases it. */

@@ -36,7 +36,8 @@ def copy_tree(folder):
     for name in COPIED:
         subprocess.run(["cp", "-a", name, folder], check=True)
     os.makedirs(f"{folder}/build")
-    for name in ["src", "tests", "unity", "kernel_sources.c", "kernel_sources.o", "rectray-parts.a", "stress", "rectray",
+    for name in ["src", "tests", "unity", "kernel_sources.c", "kernel_sources.o", "rectray-parts.a", "stress",
+                 "rectray",
                  ".libraries-found"]:
         if os.path.exists(f"build/{name}"):
             subprocess.run(["cp", "-a", f"build/{name}", f"{folder}/build"], check=True)
