@@ -13,6 +13,10 @@ import unittest
 from support.program import PROGRAM, SCENE, CommandTest, png_pixels
 
 
+with open(PROGRAM, "rb") as program:
+    SANITIZED = b"__asan_init" in program.read()
+
+
 class ExitStatus(CommandTest):
     def test_help_and_version_are_data(self):
         for words in (["--help"], ["-h"], ["--version"], ["render", "--help"], ["check", "-V"]):
@@ -178,6 +182,7 @@ class Render(CommandTest):
         self.assertEqual(json.loads(err)["faces"], 2)
         self.assertIn(b"primary rays", self.render("--stats")[0])
 
+    @unittest.skipIf(SANITIZED, "a sanitizer takes memory of its own")
     def test_memory_is_told_beforehand(self):
         self.run_program("generate", "city", "--size", "20000", "-o", "city.json")
         words = ["render", "city.json", "--size", "64x48", "-q", "-o", "a.png", "--stats=json"]
