@@ -75,7 +75,7 @@ static SettingWords words_of(const RenderSettings *settings)
     add_word(&words, "accel", render_accels[settings->accel]);
     add_word(&words, "arithmetic", render_arithmetics[settings->arithmetic]);
     if (settings->arithmetic == ARITHMETIC_TEXTBOOK)
-        add_number(&words, "shift", settings->shift);
+        add_number(&words, "shift", (double)settings->shift);
     if (settings->device >= 0)
         add_number(&words, "device", settings->device);
     if (settings->threads > 0)
