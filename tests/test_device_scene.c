@@ -196,7 +196,7 @@ static void spoil_planes(void *user)
 {
     Scene *scene = user;
     for (int i = 0; i < scene->face_count; i++)
-        scene->planes[i] = (Plane){.normal = vec3(NAN, NAN, NAN)};
+        scene->planes[i] = (Plane){.normal = vec3((double)NAN, (double)NAN, (double)NAN)};
 }
 
 static void planes_should_be_spent_when_they_are_packed(void)
