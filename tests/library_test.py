@@ -1,6 +1,7 @@
 """The library: its examples run as they stand on the page, its errors are values, and nothing else is seen of it."""
 import ctypes
 import json
+import math
 import os
 import re
 import subprocess
@@ -138,9 +139,12 @@ class Library(unittest.TestCase):
                                  capture_output=True, check=True).stdout.split(b"\n")[1].split(b",")
             self.assertEqual((hits[0].face, hits[0].t), (int(out[1]), float(out[2])))
             self.assertAlmostEqual(hits[1].t * 1e9, hits[0].t)
-        rays[4] = 0
-        self.assertFalse(self.library.rectray_cast(scene, None, rays, ctypes.c_long(1), hits, ctypes.byref(error)))
-        self.assertEqual(error.kind, 2)
+        for place, value in ((4, 0), (4, 1e-70), (4, 1e70), (0, 1e13), (0, 1e-70), (4, math.nan), (0, math.inf)):
+            wrong = (ctypes.c_double * 6)(0, 9, 3, 0, -1, 0)
+            wrong[place] = value
+            error = Error()
+            done = self.library.rectray_cast(scene, None, wrong, ctypes.c_long(1), hits, ctypes.byref(error))
+            self.assertEqual((done, error.kind), (0, 2), (place, value))
         self.library.rectray_scene_free(scene)
 
     def test_a_wrong_scene_is_told_with_its_place(self):

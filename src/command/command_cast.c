@@ -7,15 +7,12 @@
 #include "command/stats.h"
 #include "opencl/backend.h"
 #include "scene/geometry.h"
+#include "scene/world_ray.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A component of a ray is 0 or between these, so that no product of three leaves a double's range (exact.h), and 1e12
- * at most from the scene's centre, as the scene's own coordinates are. */
-static const double SMALLEST = 1e-60, LARGEST_DIRECTION = 1e60, LARGEST_POSITION = 1e12;
 
 enum { BATCH = 131072 };
 
@@ -33,11 +30,6 @@ typedef struct Cast {
 
 /* --- Reading --- */
 
-static bool component_in_range(double x, double largest)
-{
-    return x == 0 || (fabs(x) >= SMALLEST && fabs(x) <= largest);
-}
-
 static bool read_ray(const TextLines *lines, char *line, Vec3 centre, double ray[6], Error *error)
 {
     int count = 0;
@@ -45,19 +37,16 @@ static bool read_ray(const TextLines *lines, char *line, Vec3 centre, double ray
         return false;
     if (count < 6)
         return word_fail(lines, error, "%d numbers where a ray has six: ox oy oz dx dy dz", count);
-    if (ray[3] == 0 && ray[4] == 0 && ray[5] == 0)
+    if (!world_ray_has_direction(ray))
         return word_fail(lines, error, "the direction is zero");
-    const double centres[3] = {centre.x, centre.y, centre.z};
-    for (int i = 0; i < 3; i++) {
-        if (!component_in_range(ray[i] - centres[i], LARGEST_POSITION))
-            return word_fail(
-                lines, error,
-                "the origin is not within %g units of the scene's centre, or a coordinate is not 0 but below %g",
-                LARGEST_POSITION, SMALLEST);
-        if (!component_in_range(ray[3 + i], LARGEST_DIRECTION))
-            return word_fail(lines, error, "a component of the direction is neither 0 nor from %g to %g", SMALLEST,
-                             LARGEST_DIRECTION);
-    }
+    if (!world_ray_origin_in_range(ray, centre))
+        return word_fail(
+            lines, error,
+            "the origin is not within %g units of the scene's centre, or a coordinate is not 0 but below %g",
+            WORLD_RAY_LARGEST_POSITION, WORLD_RAY_SMALLEST);
+    if (!world_ray_direction_in_range(ray))
+        return word_fail(lines, error, "a component of the direction is neither 0 nor from %g to %g",
+                         WORLD_RAY_SMALLEST, WORLD_RAY_LARGEST_DIRECTION);
     return true;
 }
 
@@ -80,26 +69,10 @@ static long read_batch(Cast *cast, Error *error)
 
 /* --- Casting --- */
 
-/* Directions are divided by a power of two, which is exact, so
- * that their largest component is in [0.5, 1): floats hold it. */
-static int direction_exponent(const double *ray)
-{
-    return vec3_exponent(vec3(ray[3], ray[4], ray[5]));
-}
-
 static void localise(const Cast *cast, long count)
 {
-    const Vec3 centre = cast->scene->centre;
-    for (long i = 0; i < count; i++) {
-        const double *world = cast->world + 6 * i;
-        double *local = cast->local + 6 * i;
-        int exponent = direction_exponent(world);
-        local[0] = world[0] - centre.x;
-        local[1] = world[1] - centre.y;
-        local[2] = world[2] - centre.z;
-        for (int k = 3; k < 6; k++)
-            local[k] = ldexp(world[k], -exponent);
-    }
+    for (long i = 0; i < count; i++)
+        world_ray_localise(cast->world + 6 * i, cast->scene->centre, cast->local + 6 * i);
 }
 
 static Vec3 vec3_at(const double *numbers)
@@ -152,7 +125,7 @@ static void write_hit(const Cast *cast, long i)
         return;
     }
     const double *world = cast->world + 6 * i;
-    double t = ldexp(hit.t, -direction_exponent(world));
+    double local[6], t = world_ray_t(hit.t, world_ray_localise(world, cast->scene->centre, local));
     Vec3 p = vec3_add(vec3_at(world), vec3_scale(t, vec3_at(world + 3)));
     Vec3 n = normal_at(cast->scene, hit.face, vec3_at(cast->local + 6 * i));
     printf("%lld,%d,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", number, cast->scene->faces[hit.face].number, t, p.x,

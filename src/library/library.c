@@ -4,10 +4,9 @@
 #include "base/number.h"
 #include "opencl/backend.h"
 #include "reader/scene_json.h"
-#include "scene/geometry.h"
+#include "scene/world_ray.h"
 #include "walkthrough/walkthrough_formats.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -143,27 +142,12 @@ int rectray_render(const RectrayScene *scene, const RectraySettings *settings, R
 
 /* --- Rays --- */
 
-/* A ray in the scene's own coordinates. Its direction is divided by a power of two, whose exponent is returned: that is
- * exact, and its largest component fits a float. */
-static int localise(const Scene *scene, const double *ray, double local[6])
-{
-    int exponent = vec3_exponent(vec3(ray[3], ray[4], ray[5]));
-    local[0] = ray[0] - scene->centre.x;
-    local[1] = ray[1] - scene->centre.y;
-    local[2] = ray[2] - scene->centre.z;
-    for (int k = 3; k < 6; k++)
-        local[k] = ldexp(ray[k], -exponent);
-    return exponent;
-}
-
-static bool are_rays(const double *rays, long count)
+static bool are_rays(const Scene *scene, const double *rays, long count)
 {
     for (long i = 0; i < count; i++) {
         const double *ray = rays + 6 * i;
-        for (int k = 0; k < 6; k++)
-            if (!isfinite(ray[k]))
-                return false;
-        if (ray[3] == 0 && ray[4] == 0 && ray[5] == 0)
+        if (!world_ray_origin_in_range(ray, scene->centre) || !world_ray_direction_in_range(ray) ||
+            !world_ray_has_direction(ray))
             return false;
     }
     return true;
@@ -177,15 +161,15 @@ static bool cast(const Scene *scene, const RectraySettings *settings, const doub
     RenderReport report = {0};
     BackendCaster caster;
     for (long i = 0; i < count; i++)
-        localise(scene, rays + 6 * i, local + 6 * i);
+        world_ray_localise(rays + 6 * i, scene->centre, local + 6 * i);
     bool done = backend_caster_open(&caster, backend_of(settings), scene, &wanted, &report, error) &&
                 backend_cast(&caster, local, count, found, &report, error);
     backend_caster_close(&caster);
     for (long i = 0; i < count && done; i++) {
-        const double *ray = rays + 6 * i;
-        int exponent = vec3_exponent(vec3(ray[3], ray[4], ray[5]));
+        double ray[6];
+        int exponent = world_ray_localise(rays + 6 * i, scene->centre, ray);
         hits[i].face = found[i].face < 0 ? -1 : scene->faces[found[i].face].number;
-        hits[i].t = found[i].face < 0 ? 0 : ldexp(found[i].t, -exponent);
+        hits[i].t = found[i].face < 0 ? 0 : world_ray_t(found[i].t, exponent);
     }
     return done;
 }
@@ -193,8 +177,11 @@ static bool cast(const Scene *scene, const RectraySettings *settings, const doub
 int rectray_cast(const RectrayScene *scene, const RectraySettings *settings, const double *rays, long count,
                  RectrayHit *hits, RectrayError *error)
 {
-    if (count < 0 || !are_rays(rays, count))
-        return refuse(error, "a ray is six finite numbers, and its direction is not zero");
+    if (count < 0 || !are_rays(&scene->scene, rays, count))
+        return refuse(
+            error,
+            "a ray is six finite numbers: an origin within 1e12 of the scene's centre, and a direction that is not "
+            "zero; each component is 0 or at least 1e-60, of the direction at most 1e60");
     if (count == 0)
         return 1;
     Error fault = {.kind = ERROR_NONE};

@@ -57,7 +57,8 @@ typedef struct RectrayHit {
 } RectrayHit;
 
 /* Casts `count` rays of six numbers each: origin and direction, which need not have length 1, in the coordinates of the
- * scene file. Returns 1, or 0 with an error. */
+ * scene file. A component is 0 or at least 1e-60; an origin is within 1e12 of the scene's centre, a direction has
+ * components of at most 1e60. Returns 1, or 0 with an error. */
 int rectray_cast(const RectrayScene *scene, const RectraySettings *settings, const double *rays, long count,
                  RectrayHit *hits, RectrayError *error);
 
