@@ -110,7 +110,8 @@ $(BUILD)/lib/librectray.a: $(PUBLIC_OBJECTS)
 	$(Q)rm -f $@
 	$(Q)$(AR) rcs $@ $(BUILD)/lib/rectray.o
 
-$(BUILD)/src/%.o: src/%.c | $(FOUND)
+# The flags stand in this file: where it has changed, older objects may not fit the newer ones.
+$(BUILD)/src/%.o: src/%.c Makefile | $(FOUND)
 	@mkdir -p $(@D)
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -c $< -o $@
@@ -128,7 +129,7 @@ $(BUILD)/.commit-$(COMMIT):
 # Loops that are there to become vector instructions; nobody asks sqrt for errno.
 $(BUILD)/src/scene/face_lanes.o: CFLAGS += -O3 -fno-math-errno
 
-$(BUILD)/kernel_sources.o: $(BUILD)/kernel_sources.c | $(FOUND)
+$(BUILD)/kernel_sources.o: $(BUILD)/kernel_sources.c Makefile | $(FOUND)
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -c $< -o $@
 
