@@ -127,7 +127,7 @@ $(BUILD)/.commit-$(COMMIT):
 	@touch $@
 
 # Loops that are there to become vector instructions; nobody asks sqrt for errno.
-$(BUILD)/src/scene/face_lanes.o: CFLAGS += -O3 -fno-math-errno
+$(BUILD)/src/scene/face_lanes.o $(BUILD)/src/opencl/device_faces.o: CFLAGS += -O3 -fno-math-errno
 
 $(BUILD)/kernel_sources.o: $(BUILD)/kernel_sources.c Makefile | $(FOUND)
 	$(call say,compile,$<)

@@ -62,7 +62,7 @@ static void normal_should_travel_in_two_floats_within_its_error(void)
                           &(DevicePacking){.precision = PRECISION_FLOAT, .wide = PRECISION_FLOAT, .threads = 1},
                           &error),
         error.text);
-    const float *row = floats(&packed.planes);
+    const float *row = floats(&packed.faces.planes);
     const double exact[] = {1.0 / 3, 2.0 / 3, 2.0 / 3};
     for (int axis = 0; axis < 3; axis++) {
         assert_split(exact[axis], row + PLANE_NORMAL + axis, row + PLANE_NORMAL_LOW + axis);
@@ -122,7 +122,7 @@ static void face_bits_should_bound_edges_and_warp(void)
     small_scene_material(&small, (Material){.reflection = 0});
     pack_random_faces(closed, COUNT, PRECISION_FLOAT);
     for (int i = 0; i < COUNT; i++) {
-        const float *row = floats(&packed.face_rows) + i * FACE_REALS;
+        const float *row = floats(&packed.faces.rows) + i * FACE_REALS;
         uint32_t bits;
         memcpy(&bits, row + FACE_BITS, sizeof bits);
         const Face *face = &small.faces[i];
@@ -145,7 +145,7 @@ static void face_bits_should_tell_what_a_face_is(void)
     pack_random_faces(closed, COUNT, PRECISION_DOUBLE);
     for (int i = 0; i < COUNT; i++) {
         uint32_t bits;
-        memcpy(&bits, (const double *)packed.face_rows.data + i * FACE_REALS + FACE_BITS, sizeof bits);
+        memcpy(&bits, (const double *)packed.faces.rows.data + i * FACE_REALS + FACE_BITS, sizeof bits);
         TEST_ASSERT_EQUAL_INT(i % 4 == 0, (bits & FACE_TRIANGLE) != 0);
         TEST_ASSERT_EQUAL_INT(i % 5 == 0, (bits & FACE_ONE_SIDED) != 0);
         TEST_ASSERT_EQUAL_INT(i % 7 == 0 && i % 5 != 0, (bits & FACE_BACK_INSIDE) != 0);
@@ -162,7 +162,7 @@ static void face_row_should_hold_the_vertices_as_they_are(void)
                           &error),
         error.text);
     const float expected[] = {6, 0, 1, 6, 0.1f, 3, 2, 0.1f, 0, -7, 3, 0};
-    TEST_ASSERT_EQUAL_FLOAT_ARRAY(expected, floats(&packed.face_rows) + FACE_VERTICES, 12);
+    TEST_ASSERT_EQUAL_FLOAT_ARRAY(expected, floats(&packed.faces.rows) + FACE_VERTICES, 12);
 }
 
 static void double_rows_should_need_no_low_parts(void)
@@ -188,7 +188,7 @@ static void scene_of_nothing_should_pack(void)
                           &error),
         error.text);
     TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.lights));
-    TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.planes));
+    TEST_ASSERT_GREATER_THAN(0, device_reals_bytes(&packed.faces.planes));
 }
 
 /* Spoils the planes: nothing that is packed later may be made of them. */
@@ -210,9 +210,10 @@ static void planes_should_be_spent_when_they_are_packed(void)
     how.spent = (Spent){spoil_planes, &small.scene};
     TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, &how, &error), error.text);
     TEST_ASSERT_TRUE(isnan(small.scene.planes[1].normal.x));
-    TEST_ASSERT_EQUAL_MEMORY(whole.faces, packed.faces, 2 * sizeof *packed.faces);
-    TEST_ASSERT_EQUAL_MEMORY(whole.face_rows.data, packed.face_rows.data, device_reals_bytes(&packed.face_rows));
-    TEST_ASSERT_EQUAL_MEMORY(whole.planes.data, packed.planes.data, device_reals_bytes(&packed.planes));
+    TEST_ASSERT_EQUAL_MEMORY(whole.faces.records, packed.faces.records, 2 * sizeof *packed.faces.records);
+    TEST_ASSERT_EQUAL_MEMORY(whole.faces.rows.data, packed.faces.rows.data, device_reals_bytes(&packed.faces.rows));
+    TEST_ASSERT_EQUAL_MEMORY(whole.faces.planes.data, packed.faces.planes.data,
+                             device_reals_bytes(&packed.faces.planes));
     device_scene_free(&whole);
 }
 
@@ -227,9 +228,45 @@ static void planes_of_floats_should_not_be_spent(void)
     TEST_ASSERT_FALSE(isnan(small.scene.planes[0].normal.x));
 }
 
+/* Small whole numbers make flat faces, zeros of both signs and edges of length 0. */
+static Vec3 grid_point(void)
+{
+    double x = (double)random_integer(&state, 5) - 2, y = (double)random_integer(&state, 5) - 2;
+    return vec3(x, y, random_unit(&state) < 0.5 ? -0.0 : random_unit(&state) - 0.5);
+}
+
+static bool is_flat(Box box)
+{
+    return box.low[0] == box.high[0] || box.low[1] == box.high[1] || box.low[2] == box.high[2];
+}
+
+/* 8 at a time, from any place on: the last ones are less than 8. */
+static void boxes_should_be_those_of_single_faces_bit_for_bit(void)
+{
+    static const int order[] = {18, 3, 7, 0, 1, 2, 4, 5, 6, 8, 17, 16, 15, 14, 13, 12, 11, 10, 9};
+    enum { COUNT = sizeof order / sizeof *order };
+    small_scene_material(&small, (Material){.reflection = 0});
+    while (small.scene.face_count < COUNT) {
+        Face face = face_triangle(grid_point(), grid_point(), grid_point());
+        if (face_plane(&face).length > 0)
+            small_scene_face(&small, 0, face);
+    }
+    DevicePacking how = {.order = order, .precision = PRECISION_DOUBLE, .wide = PRECISION_DOUBLE, .threads = 1};
+    TEST_ASSERT_TRUE_MESSAGE(device_scene_pack(&packed, &small.scene, &how, &error), error.text);
+    for (int i = 0; i < COUNT; i++) {
+        Box box = face_box(&small.faces[order[i]], &small.planes[order[i]]);
+        const float *of = packed.faces.records[i].box;
+        Box got = {{of[0], of[2], of[4]}, {of[1], of[3], of[5]}};
+        TEST_ASSERT_EQUAL_INT(order[i], packed.faces.records[i].index);
+        TEST_ASSERT_EQUAL_MEMORY(&box, &got, sizeof box);
+        TEST_ASSERT_EQUAL(is_flat(box), (packed.faces.records[i].material & FACE_FLAT) != 0);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(boxes_should_be_those_of_single_faces_bit_for_bit);
     RUN_TEST(light_position_should_travel_in_two_floats);
     RUN_TEST(normal_should_travel_in_two_floats_within_its_error);
     RUN_TEST(planes_should_be_spent_when_they_are_packed);

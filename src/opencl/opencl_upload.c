@@ -45,8 +45,8 @@ static cl_mem buffer_of_reals(OpenclSession *session, DeviceReals *reals, Error 
 
 static cl_mem buffer_of_faces(OpenclSession *session, DeviceScene *packed, size_t count, Error *error)
 {
-    FaceRecord *faces = packed->faces;
-    packed->faces = NULL;
+    FaceRecord *faces = packed->faces.records;
+    packed->faces.records = NULL;
     return buffer_of(session, faces, count, sizeof *faces, error);
 }
 
@@ -105,8 +105,8 @@ static bool build_tree(const OpenclSession *session, Preparation *made, RenderRe
 
 static uint64_t device_bytes(const Scene *scene, const DeviceScene *packed, const DeviceTree *tree)
 {
-    return (uint64_t)scene->face_count * sizeof(FaceRecord) + device_reals_bytes(&packed->face_rows) +
-           device_reals_bytes(&packed->planes) + device_reals_bytes(&packed->materials) +
+    return (uint64_t)scene->face_count * sizeof(FaceRecord) + device_reals_bytes(&packed->faces.rows) +
+           device_reals_bytes(&packed->faces.planes) + device_reals_bytes(&packed->materials) +
            device_reals_bytes(&packed->lights) + device_reals_bytes(&packed->view) + tree->float_count * sizeof(float) +
            tree->int_count * sizeof(int);
 }
@@ -128,8 +128,8 @@ static bool upload(OpenclSession *session, Preparation *made, SceneOnDevice *on_
         device_scene_pack(&packed, made->scene, &how, error) &&
         (on_device->parameters = opencl_buffer(session, CL_MEM_READ_ONLY, sizeof(Parameters), NULL, error)) &&
         (on_device->faces = buffer_of_faces(session, &packed, faces, error)) &&
-        (on_device->face_rows = buffer_of_reals(session, &packed.face_rows, error)) &&
-        (on_device->planes = buffer_of_reals(session, &packed.planes, error)) &&
+        (on_device->face_rows = buffer_of_reals(session, &packed.faces.rows, error)) &&
+        (on_device->planes = buffer_of_reals(session, &packed.faces.planes, error)) &&
         (on_device->materials = buffer_of_reals(session, &packed.materials, error)) &&
         (on_device->lights = buffer_of_reals(session, &packed.lights, error)) &&
         (on_device->view = buffer_of_reals(session, &packed.view, error)) &&

@@ -31,12 +31,12 @@ static int end_of(const Pieces *pieces, int piece)
     return count - piece * PIECE < PIECE ? count : (piece + 1) * PIECE;
 }
 
-/* Which of the face's vertices is vertex k; a triangle's row 3 is its vertex 0. as_in_file: before a mirror turned it
- * over. */
-static int corner_of(const SceneBuildFace *face, int k, bool as_in_file)
+/* Which of the face's vertices are its vertices 0 to 3; a triangle's vertex 3 is its vertex 0. as_in_file: before a
+ * mirror turned it over. */
+static const unsigned char *corners_of(const SceneBuildFace *face, bool as_in_file)
 {
     static const unsigned char corners[2][2][4] = {{{0, 1, 2, 0}, {0, 2, 1, 0}}, {{0, 1, 2, 3}, {0, 3, 2, 1}}};
-    return corners[face->vertex_count == 4][as_in_file && face->shape == BUILD_SHAPE_UNCHECKED_TURNED][k];
+    return corners[face->vertex_count == 4][as_in_file && face->shape == BUILD_SHAPE_UNCHECKED_TURNED];
 }
 
 /* Takes up to eight faces from `first` on; the lanes without one repeat the first. False where triangles and
@@ -48,8 +48,9 @@ static bool gather(const SceneBuild *build, int first, int count, bool as_in_fil
         const SceneBuildFace *face = &build->faces[first + (l < count ? l : 0)];
         if (face->vertex_count != lanes->count)
             return false;
+        const unsigned char *corners = corners_of(face, as_in_file);
         for (int k = 0; k < FACE_VERTICES_MOST; k++) {
-            const Vec3 *p = &build->points[face->points[corner_of(face, k, as_in_file)]];
+            const Vec3 *p = &build->points[face->points[corners[k]]];
             lanes->x[k][l] = p->x;
             lanes->y[k][l] = p->y;
             lanes->z[k][l] = p->z;
@@ -64,7 +65,7 @@ static bool has_good_shape(const SceneBuild *build, const SceneBuildFace *face)
 {
     Vec3 points[4];
     for (int k = 0; k < face->vertex_count; k++)
-        points[k] = build->points[face->points[corner_of(face, k, true)]];
+        points[k] = build->points[face->points[corners_of(face, true)[k]]];
     return face->shape == BUILD_SHAPE_CHECKED || shape_of(points, face->vertex_count).verdict == SHAPE_GOOD;
 }
 
@@ -152,7 +153,7 @@ static const char *round_face(const SceneBuild *build, int index)
     Face *face = &build->scene->faces[index];
     put_face(from, face);
     for (int k = 0; k < 4; k++) {
-        Vec3 p = vec3_sub(build->points[from->points[corner_of(from, k, false)]], build->scene->centre);
+        Vec3 p = vec3_sub(build->points[from->points[corners_of(from, false)[k]]], build->scene->centre);
         if (!in_range(p))
             return "the face reaches more than 1e12 units from the centre of the scene";
         face->vertices[k][0] = (float)p.x;

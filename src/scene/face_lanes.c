@@ -7,14 +7,6 @@
 #include <float.h>
 #include <stdbool.h>
 
-/* One function compiled for the vectors of every processor, and chosen when the program starts. */
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define FOR_EVERY_PROCESSOR __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define FOR_EVERY_PROCESSOR
-#endif
-
 #define ROUNDING (DBL_EPSILON / 2)
 
 /* Coordinates beyond this need a closer look: the squares of their products might overflow. */

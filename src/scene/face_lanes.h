@@ -6,6 +6,15 @@
 
 #include "base/vec3.h"
 
+/* Before a function: it is compiled for the vectors of every processor, and the program chooses when it starts. Other
+ * compilers than GCC make one function of it. */
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define FOR_EVERY_PROCESSOR __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define FOR_EVERY_PROCESSOR
+#endif
+
 enum { FACE_LANES = 8, FACE_VERTICES_MOST = 4 };
 
 /* Vertex k of face l is x[k][l], y[k][l], z[k][l]. All faces have 3 vertices, or all have 4; row 3 of a triangle is
