@@ -35,7 +35,7 @@ static bool adopt_face(const SceneBuild *build, SceneBuildFace *face, int index,
 
 bool scene_build_adopt(SceneBuild *build, int points, int faces)
 {
-    if (!move_points(build, build->points + build->point_count, points))
+    if (points > 0 && !move_points(build, build->points + build->point_count, points))
         return false;
     for (int i = 0; i < faces; i++)
         if (!adopt_face(build, &build->faces[build->face_count + i], i, points))
