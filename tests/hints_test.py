@@ -38,7 +38,11 @@ class Hints(CommandTest):
         return [(hint["kind"], hint["text"]) for hint in hints]
 
     def rendered(self):
-        return self.run_program("render", "scene.json", "-b", "reference", "-o", "x.png")[1].splitlines()[:-1]
+        """What each backend tells of scene.json: the same."""
+        told = [self.run_program("render", "scene.json", "-b", backend, "-o", "x.png")[1].splitlines()[:-1]
+                for backend in ("reference", "opencl")]
+        self.assertEqual(*told)
+        return told[0]
 
     def test_a_box_on_a_floor_in_a_room_has_none(self):
         self.assertEqual(self.hints_of(lambda scene: None), [])

@@ -2,9 +2,11 @@
 #include "command/hint_words.h"
 
 #include "base/text.h"
+#include "scene/geometry.h"
 #include "walkthrough/walkthrough_words.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 const char *const hint_names[HINT_KINDS] = {
     [HINT_SAME_PLANE] = "same-plane",     [HINT_COLOUR] = "colour",
@@ -87,12 +89,28 @@ HintWords hint_words(const Scene *scene, const Hint *hint)
     return words;
 }
 
+/* The planes of the faces, which a renderer may have freed. NULL without memory. */
+static Plane *planes_of(const Scene *scene, Error *error)
+{
+    Plane *planes = malloc((size_t)scene->face_count * sizeof *planes + 1);
+    if (!planes)
+        error_memory(error, "the planes of the scene");
+    for (int i = 0; planes && i < scene->face_count; i++)
+        planes[i] = face_plane(&scene->faces[i]);
+    return planes;
+}
+
 bool hint_blank_picture(const Scene *scene, Error *error)
 {
+    Scene whole = *scene;
     Hints hints;
-    bool good = hints_find_blank(&hints, scene, error);
+    whole.planes = planes_of(scene, error);
+    if (!whole.planes)
+        return false;
+    bool good = hints_find_blank(&hints, &whole, error);
     if (good && hints.count > 0)
-        fprintf(stderr, "rectray: note: %s\n", hint_words(scene, &hints.list[hints.count - 1]).text);
+        fprintf(stderr, "rectray: note: %s\n", hint_words(&whole, &hints.list[hints.count - 1]).text);
     hints_free(&hints);
+    free(whole.planes);
     return good;
 }
