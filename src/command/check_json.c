@@ -141,6 +141,12 @@ bool check_report_json(const CheckReport *report, bool every, Error *error)
         JsonNode hint = json_node_append_object(hints);
         json_node_text(hint, "kind", hint_names[report->hints.list[i].kind]);
         json_node_text(hint, "text", hint_words(report->scene, &report->hints.list[i]).text);
+        JsonPlace place = hint_place(&report->places, report->scene, &report->hints.list[i]);
+        if (place.line > 0) {
+            json_node_number(hint, "line", (double)place.line);
+            json_node_number(hint, "column", (double)place.column);
+            json_node_text(hint, "path", place.path);
+        }
     }
     return print_node(node) || error_memory(error, "the report as JSON");
 }

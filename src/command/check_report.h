@@ -4,6 +4,7 @@
 #define RECTRAY_CHECK_REPORT_H
 
 #include "base/error.h"
+#include "command/hint_places.h"
 #include "scene/hints.h"
 #include "scene/scene.h"
 #include "scene/survey.h"
@@ -13,6 +14,7 @@ typedef struct CheckReport {
     const Scene *scene;
     Survey survey;
     Hints hints;
+    HintPlaces places;
     int closed; /* faces of closed boxes, every other of which can be skipped */
     double primary_rays;
     int primary_tried; /* pixels from which their number is estimated; 0: it is exact */

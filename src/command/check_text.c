@@ -4,6 +4,7 @@
 #include "command/hint_words.h"
 #include "opencl/device_scene.h"
 #include "trace/adaptive.h"
+#include "trace/hints_probe.h"
 #include "trace/reference_render.h"
 #include "trace/skip.h"
 
@@ -173,13 +174,14 @@ bool check_report_make(CheckReport *report, const char *path, const Scene *scene
         report->closed += closed[i] != 0;
     free(closed);
     return count_primary_rays(report, error) && survey_scene(&report->survey, scene, error) &&
-           hints_find(&report->hints, scene, error);
+           hints_find(&report->hints, scene, error) && hints_probe(&report->hints, scene, false, error);
 }
 
 void check_report_free(CheckReport *report)
 {
     survey_free(&report->survey);
     hints_free(&report->hints);
+    hint_places_free(&report->places);
 }
 
 bool check_black_lights_are_useless(const CheckReport *report)
@@ -195,6 +197,12 @@ void check_report_text(const CheckReport *report)
     print_skippable(report);
     if (report->hints.count > 0)
         printf("hints\n");
-    for (int i = 0; i < report->hints.count; i++)
-        printf("  %s\n", hint_words(report->scene, &report->hints.list[i]).text);
+    for (int i = 0; i < report->hints.count; i++) {
+        const Hint *hint = &report->hints.list[i];
+        JsonPlace place = hint_place(&report->places, report->scene, hint);
+        if (place.line > 0)
+            printf("  %s:%ld:%ld: %s\n", report->path, place.line, place.column, hint_words(report->scene, hint).text);
+        else
+            printf("  %s\n", hint_words(report->scene, hint).text);
+    }
 }

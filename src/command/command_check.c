@@ -4,6 +4,7 @@
 #include "command/check_report.h"
 #include "command/command.h"
 #include "command/scene_open.h"
+#include "reader/stage.h"
 
 #include <cjson/cJSON.h>
 #include <stdlib.h>
@@ -57,7 +58,11 @@ static bool print_geometry(const Scene *scene, Error *error)
 static bool print_report(const Options *options, const Scene *scene, Error *error)
 {
     CheckReport report;
-    bool done = check_report_make(&report, text_input_name(options->operands[0]), scene, error);
+    const char *path = options->operands[0];
+    bool done = check_report_make(&report, text_input_name(path), scene, error);
+    /* A pipe cannot be read again, and a changed scene has other places. */
+    if (done && report.hints.count > 0 && options->edit_count == 0 && !text_is_stream(path) && !stage_is_model(path))
+        done = hint_places_read(&report.places, path, error);
     if (done && options->json)
         done = check_report_json(&report, options->verbose, error);
     else if (done)

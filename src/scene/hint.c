@@ -1,8 +1,7 @@
-/* A list of hints, and the boxes that some of them ask for. */
+/* A list of hints, and the colours that some of them are about. */
 #include "scene/hint.h"
 
 #include "base/array.h"
-#include "scene/geometry.h"
 
 #include <stdlib.h>
 
@@ -22,46 +21,41 @@ void hints_free(Hints *hints)
     *hints = (Hints){0};
 }
 
-/* --- Boxes --- */
-
-enum { BOX_FACES = 6, BOX_CORNERS = 8 };
-
-static bool is_same(Vec3 a, Vec3 b)
+bool hints_have(const Hints *hints, HintKind kind, int first)
 {
-    return a.x == b.x && a.y == b.y && a.z == b.z;
+    for (int i = 0; i < hints->count; i++)
+        if (hints->list[i].kind == kind && (first < 0 || hints->list[i].first == first))
+            return true;
+    return false;
 }
 
-bool hint_is_box(const Scene *scene, int object)
+static bool is_whole(Vec3 c)
 {
-    const Object *box = &scene->objects[object];
-    Vec3 corners[BOX_FACES * 4];
-    int count = 0;
-    if (box->face_count != BOX_FACES)
-        return false;
-    for (int i = box->first_face; i < box->first_face + BOX_FACES; i++) {
-        if (scene->faces[i].vertex_count != 4 || scene->faces[i].one_sided)
-            return false;
-        for (int k = 0; k < 4; k++) {
-            Vec3 v = face_vertex(&scene->faces[i], k);
-            int known = 0;
-            while (known < count && !is_same(corners[known], v))
-                known++;
-            if (known == count)
-                corners[count++] = v;
-        }
-    }
-    return count == BOX_CORNERS;
+    return c.x == floor(c.x) && c.y == floor(c.y) && c.z == floor(c.z);
 }
 
-bool hint_is_in_box(const Scene *scene, int object, Vec3 point)
+/* A strong light may be meant; it is told only if it is written in whole numbers, as bytes are. */
+bool hint_looks_like_bytes(HintOwner owner, Vec3 colour)
 {
-    const Object *box = &scene->objects[object];
-    int first = 0;
-    for (int i = box->first_face; i < box->first_face + box->face_count; i++) {
-        int side = plane_side(&scene->faces[i], &scene->planes[i], point);
-        first = i == box->first_face ? side : first;
-        if (side == 0 || side != first)
-            return false;
-    }
-    return box->face_count == BOX_FACES;
+    double largest = vec3_largest(colour);
+    return largest <= 255 && (owner == OWNER_LIGHT ? largest >= 32 && is_whole(colour) : largest >= 8);
+}
+
+HintColour hint_colour_of(const Scene *scene, const Hint *hint)
+{
+    HintOwner owner = (HintOwner)hint->second;
+    if (owner == OWNER_BACKGROUND)
+        return (HintColour){"background", scene->shading.background};
+    const Light *light = &scene->lights[owner == OWNER_LIGHT ? hint->first : 0];
+    const Material *material = &scene->materials[owner == OWNER_MATERIAL ? hint->first : 0];
+    bool of_light = owner == OWNER_LIGHT;
+    HintColour colours[] = {
+        {"diffuse", of_light ? light->diffuse : material->diffuse},
+        {"ambient", of_light ? light->ambient : material->ambient},
+        {"specular", of_light ? light->specular : material->specular},
+    };
+    int i = 0;
+    while (i < 2 && !hint_looks_like_bytes(owner, colours[i].colour))
+        i++;
+    return colours[i];
 }

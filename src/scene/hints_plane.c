@@ -2,6 +2,7 @@
 #include "scene/hints_plane.h"
 
 #include "scene/geometry.h"
+#include "scene/solid.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -62,46 +63,59 @@ static bool is_apart_by_edge(const Face *face, Vec3 normal, const Face *other, d
     return false;
 }
 
-/* A face of a closed box is seen from outside the box only, or from inside where the camera is. */
-static bool is_seen(const Scene *scene, int index)
+static bool is_seen(Solids *solids, int index)
 {
+    const Scene *scene = solids->scene;
     const Face *face = &scene->faces[index];
-    int side = plane_side(face, &scene->planes[index], scene->camera.position);
     if (face->one_sided)
-        return side > 0;
-    return side > 0 || !hint_is_box(scene, face->object) || hint_is_in_box(scene, face->object, scene->camera.position);
+        return plane_side(face, &scene->planes[index], scene->camera.position) > 0;
+    return !solid_hides(solids, index);
 }
 
-static bool overlap(const Scene *scene, int a, int b)
+static bool overlap(Solids *solids, int a, int b)
 {
+    const Scene *scene = solids->scene;
     const Face *first = &scene->faces[a], *second = &scene->faces[b];
     const Plane *p = &scene->planes[a], *q = &scene->planes[b];
     if (first->number == second->number || first->material == second->material)
         return false;
     double margin = 1e-3 * sqrt(fmin(p->length, q->length));
     return !is_apart_by_edge(first, p->normal, second, margin) && !is_apart_by_edge(second, q->normal, first, margin) &&
-           is_seen(scene, a) && is_seen(scene, b);
+           is_seen(solids, a) && is_seen(solids, b);
 }
 
-bool hints_find_planes(Hints *hints, const Scene *scene, Error *error)
+/* The first pair among faces sorted by their planes, and how many there are. */
+static Hint find_pairs(Solids *solids, const PlaneKey *keys, int count)
 {
-    int count = scene->material_count > 1 ? scene->face_count : 0, pairs = 0;
     Hint hint = {HINT_SAME_PLANE, count, count, 0};
-    PlaneKey *keys = malloc((size_t)count * sizeof *keys + 1);
-    if (!keys)
-        return error_memory(error, "the planes of the scene");
-    double reach = scene_reach(scene);
-    for (int i = 0; i < count; i++)
-        keys[i] = key_of(scene, i, reach);
-    qsort(keys, (size_t)count, sizeof *keys, compare_keys);
+    int pairs = 0;
     for (int i = 0; i < count; i++)
         for (int k = i + 1; k < count && pairs < PAIRS_MOST && keys[i].plane == keys[k].plane; k++, pairs++)
-            if (overlap(scene, keys[i].face, keys[k].face)) {
+            if (overlap(solids, keys[i].face, keys[k].face)) {
                 bool earlier = keys[i].face < hint.first || (keys[i].face == hint.first && keys[k].face < hint.second);
                 hint.first = earlier ? keys[i].face : hint.first;
                 hint.second = earlier ? keys[k].face : hint.second;
                 hint.count++;
             }
+    return hint;
+}
+
+bool hints_find_planes(Hints *hints, const Scene *scene, Error *error)
+{
+    Solids solids = {0};
+    int count = scene->material_count > 1 ? scene->face_count : 0;
+    Hint hint = {0};
+    PlaneKey *keys = malloc((size_t)count * sizeof *keys + 1);
+    bool good = keys ? solids_make(&solids, scene, error) : error_memory(error, "the planes of the scene");
+    if (good) {
+        double reach = scene_reach(scene);
+        for (int i = 0; i < count; i++)
+            keys[i] = key_of(scene, i, reach);
+        qsort(keys, (size_t)count, sizeof *keys, compare_keys);
+        hint = find_pairs(&solids, keys, count);
+        good = error->kind == ERROR_NONE;
+    }
+    solids_free(&solids);
     free(keys);
-    return hint.count == 0 || hint_add(hints, hint, error);
+    return good && (hint.count == 0 || hint_add(hints, hint, error));
 }

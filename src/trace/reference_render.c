@@ -67,9 +67,8 @@ static int greatest_divisor(int a, int b)
     return b == 0 ? a : greatest_divisor(b, a % b);
 }
 
-/* A step through the numbers of `count` pixels that reaches all of them, and spreads any few of them evenly: about the
- * golden ratio of the whole. */
-static int spreading_step(int count)
+/* About the golden ratio of the whole. */
+int reference_spread(int count)
 {
     int step = (int)(0.6180339887 * count);
     while (step > 1 && greatest_divisor(count, step) > 1)
@@ -82,7 +81,7 @@ int reference_try(const Scene *scene, const Accel *accel, const RenderSettings *
 {
     const Band band = {.scene = scene, .accel = accel, .settings = settings};
     int columns = scene->screen.columns, pixels = columns * scene->screen.rows, done = 0;
-    int step = spreading_step(pixels);
+    int step = reference_spread(pixels);
     double start = clock_ms();
     memset(report, 0, sizeof *report);
     for (long long place = 0; done == 0 || (done < most && clock_ms() - start < most_ms); done++) {

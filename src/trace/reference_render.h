@@ -10,6 +10,9 @@
 bool reference_render(const Scene *scene, const RenderSettings *settings, BandSink sink, RenderReport *report,
                       Error *error);
 
+/* A step through the numbers of `count` pixels that reaches all of them, and spreads any few of them evenly. */
+int reference_spread(int count);
+
 /* Renders single pixels that are spread over the picture, `most` of them or as many as fit into `most_ms` milliseconds,
  * on one thread. Returns how many, at least 1. The report receives their counts and their time. */
 int reference_try(const Scene *scene, const Accel *accel, const RenderSettings *settings, int most, double most_ms,
