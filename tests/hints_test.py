@@ -190,8 +190,7 @@ class Hints(CommandTest):
         self.assertEqual(self.hints_of(near), [])
 
     def test_everything_black(self):
-        differ = ("of what the lights have, the materials reflect nothing: compare their \"ambient\", \"diffuse\" and "
-                  "\"specular\"")
+        differ = "the materials reflect nothing of what the lights have: compare their colours"
         none, red, dark = [0, 0, 0], [1, 0, 0], [1e-4] * 3
         for change, why in ((lambda scene: scene.update(lights=[]), "there is no light"),
                             (lambda scene: scene.update(materials={"a": {}, "b": {}}), "no material has a colour"),

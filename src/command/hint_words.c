@@ -26,8 +26,7 @@ static const char *const why_black[] = {
     [BLACK_NO_LIGHT] = "there is no light",
     [BLACK_LIGHTS_BLACK] = "the colours of all lights are black",
     [BLACK_NO_COLOUR] = "no material has a colour",
-    [BLACK_COLOURS_DIFFER] = "of what the lights have, the materials reflect nothing: compare their \"ambient\", "
-                             "\"diffuse\" and \"specular\"",
+    [BLACK_COLOURS_DIFFER] = "the materials reflect nothing of what the lights have: compare their colours",
     [BLACK_TOO_DARK] = "all colours are so dark that they are rounded to black; 1 is full strength",
     [BLACK_LIGHTS_HIDDEN] = "no light reaches what the camera sees",
     [BLACK_UNLIT] = "no light adds a colour to what the camera sees; rectray trace SCENE --pixel X,Y tells why",

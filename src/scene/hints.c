@@ -9,7 +9,7 @@
 /* Adds a hint if one of the colours of a material or a light looks like bytes. */
 static bool find_colour(Hints *hints, const Scene *scene, HintOwner owner, int index, Error *error)
 {
-    Hint hint = {HINT_COLOUR, index, owner, 1};
+    Hint hint = {HINT_COLOUR, index, (int)owner, 1};
     return !hint_looks_like_bytes(owner, hint_colour_of(scene, &hint).colour) || hint_add(hints, hint, error);
 }
 
