@@ -105,7 +105,11 @@ def declared(header):
 FORMULAS = {"scene/geometry.h": {"plane", "point"}, "scene/light.h": {"illuminate", "colour"},
             "trace/textbook_real.h": {"rounded", "doubles", "add", "subtract", "scale", "divide", "multiply", "dot",
                                       "cross", "unit", "at", "vertex"},
-            "trace/textbook_record.h": {"record", "test", "end"}}
+            "trace/textbook_record.h": {"record", "test", "end"},
+            "trace/textbook_camera.h": {"camera"}, "trace/textbook_plane.h": {"meets"},
+            "trace/textbook_inside.h": {"inside"}, "trace/textbook_face.h": {"hits"},
+            "trace/textbook_nearest.h": {"nearest"}, "trace/textbook_shadow.h": {"place", "face"},
+            "trace/textbook_light.h": {"illumination"}, "trace/textbook_mirror.h": {"mirrored"}}
 
 
 class Names(unittest.TestCase):

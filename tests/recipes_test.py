@@ -92,7 +92,8 @@ class MaterialProperty(Recipe):
                   read("src/scene/light.c") + read("src/trace/reference.c"), r"material->{}\b")
 
     def test_the_textbook_uses_each(self):
-        self.each(self.fields, "src/trace/textbook.c", read("src/trace/textbook.c"), r"(material->|\]\.){}\b")
+        self.each(self.fields, "src/trace/textbook_light.h and src/trace/textbook.c",
+                  read("src/trace/textbook_light.h") + read("src/trace/textbook.c"), r"(material->|\]\.){}\b")
 
     def test_each_has_a_column_on_the_device(self):
         packed = body("src/opencl/device_scene.c", "pack_material")

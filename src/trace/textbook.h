@@ -4,17 +4,7 @@
 #ifndef RECTRAY_TEXTBOOK_H
 #define RECTRAY_TEXTBOOK_H
 
-#include "scene/scene.h"
-#include "trace/recorder.h"
-#include "trace/render.h"
-
-/* What it works with. */
-typedef struct Textbook {
-    const Scene *scene;       /* its samples are a grid; adaptive sampling is not in the text */
-    float shift;              /* how far off its face a point is shifted */
-    RenderReport *report;     /* counts are added to it */
-    const Recorder *recorder; /* is told the events of the reference; NULL: nobody is */
-} Textbook;
+#include "trace/textbook_input.h"
 
 /* The colour of one pixel: its average over the grid of samples, not clamped, and its bytes in the picture. */
 Vec3 textbook_pixel(const Textbook *textbook, int column, int row, unsigned char rgb[3]);

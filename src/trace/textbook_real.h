@@ -24,6 +24,12 @@ typedef struct RealRay {
     Real3 o, r;
 } RealRay;
 
+/* The ray from the camera through the point (x, y) of the screen, measured from its centre. */
+typedef struct ScreenRay {
+    Real x, y;
+    RealRay ray;
+} ScreenRay;
+
 typedef struct Hit {
     int face;     /* -1: none */
     Real n_dot_r; /* N.R */

@@ -1,5 +1,5 @@
 /* What happens in textbook.c, as the events of trace/recorder.h, so that the walkthrough can tell it. Nothing is
- * computed here but what an event shows. Included by textbook.c alone, and so compiled in either precision. */
+ * computed here but what an event shows. Included by textbook.c and its steps, and so compiled in either precision. */
 #ifndef RECTRAY_TEXTBOOK_RECORD_H
 #define RECTRAY_TEXTBOOK_RECORD_H
 
