@@ -13,10 +13,10 @@ C_FILES = sorted(path for top in ("src", "tests") for path in (ROOT / top).rglob
 
 # Texts that people write. Data is none: scenes, golden output, inputs of fuzzers, the list of mutants.
 TEXTS = C_FILES + sorted(
-    path for pattern in ("Makefile", "*.md", ".ci/*", "kernels/**/*", "docs/*.md", "tests/**/*.mk",
-                         "tests/**/*.cl",
-                         "tests/*.py", "tests/*.sh", "tests/mutants/run.py", "tests/random/*.py", "tests/support/*",
-                         "tests/soak/*", "tests/fuzz/run")
+    path for pattern in ("Makefile", "*.md", ".ci/*", "kernels/**/*", "docs/*.md", "docs/exercises/**/*.md",
+                         "docs/exercises/**/*.c*", "tests/**/*.mk", "tests/**/*.cl", "tests/*.py", "tests/*.sh",
+                         "tests/mutants/run.py", "tests/random/*.py", "tests/support/*", "tests/soak/*",
+                         "tests/fuzz/run", "tests/exercises/run", "tests/exercises/*.md")
     for path in ROOT.glob(pattern) if path.is_file() and path.suffix != ".pyc")
 
 

@@ -1,0 +1,29 @@
+# The exercises of docs/exercises: what their tests share is compiled here, the student's file by tests/exercises/run.
+
+EXERCISES        := $(BUILD)/exercises
+EXERCISE_SHARED  := $(patsubst %,$(BUILD)/tests/exercises/%.o,exercise exercise_picture)
+EXERCISE_PARTS   := $(EXERCISE_SHARED) $(LIBRARY) $(EXERCISES)/commands
+
+# A student's function may be a loop without an end, or write where nothing is.
+EXERCISE_WATCHED := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all \
+    $(INSTRUMENT)
+EXERCISE_WARNINGS := -Wall -Wextra -Wno-unused-parameter -Wno-unused-function
+
+# How `run` compiles a test with the student's file in it, and how it links it: a line each.
+$(EXERCISES)/commands: Makefile tests/exercises/exercises.mk | $(FOUND)
+	@mkdir -p $(@D)
+	@echo '$(CC) $(STANDARD) $(EXERCISE_WARNINGS) $(EXERCISE_WATCHED)' >$@
+	@echo '$(CC) $(EXERCISE_WATCHED) $(LDFLAGS) $(abspath $(EXERCISE_SHARED) $(LIBRARY)) $(LIBS)' >>$@
+
+SCRIPT_TEST_PROGRAMS += $(if $(filter %/exercises_test.py,$(SCRIPT_TESTS)),$(EXERCISE_PARTS))
+
+.PHONY: exercise-parts
+exercise-parts: $(EXERCISE_PARTS) $(PROGRAM)
+
+.PHONY: exercise
+exercise: ## check your FILE for exercise N of docs/exercises (without FILE: its stub; JSON=1: for scripts)
+	@$(SETUP) build test >&2
+	@$(MAKE) $(ALL_CORES) exercise-parts >&2
+	@BUILD=$(BUILD) tests/exercises/run $(N) $(FILE) $(if $(JSON),--json)
+
+-include $(EXERCISE_SHARED:.o=.d)
