@@ -40,6 +40,9 @@ void given(const char *name, const char *format, ...) __attribute__((format(prin
 /* The pixel that shows what is tested. */
 void shown_at(const char *scene, int column, int row);
 
+/* The same, with further options of the command that traces it. */
+void shown_with(const char *scene, int column, int row, const char *options);
+
 /* --- What came out --- */
 
 typedef enum ValueKind { VALUE_NUMBER, VALUE_INTEGER, VALUE_TRUTH } ValueKind;
@@ -65,11 +68,11 @@ void add_vector(Outcome *outcome, const char *name, Vec3 value); /* three number
 /* The formula of the value that was added last; a vector's three values share it. */
 void add_formula(Outcome *outcome, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* What comes out when a likely slip is made. It is told where all that was returned equals it, unless an earlier input
- * has shown that this slip was not made. Give the same text for each input. */
+/* What comes out when a likely slip is made. It is told where all that was returned equals it. Where several slips
+ * explain it, the inputs before and after tell them apart. Give the same texts for each input. */
 void slip(const Outcome *outcome, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Ends the program where they differ: relative 1e-9, absolute 1e-12. Forgets the slips and the input. */
+/* The test fails where they differ: relative 1e-9, absolute 1e-12. Forgets the slips and the input. */
 void compare(const Outcome *returned, const Outcome *expected);
 
 /* --- Texts: they live until 32 more have been made --- */

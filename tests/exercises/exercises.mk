@@ -1,7 +1,7 @@
 # The exercises of docs/exercises: what their tests share is compiled here, the student's file by tests/exercises/run.
 
 EXERCISES        := $(BUILD)/exercises
-EXERCISE_SHARED  := $(patsubst %,$(BUILD)/tests/exercises/%.o,exercise exercise_picture)
+EXERCISE_SHARED  := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/exercises/*.c))
 EXERCISE_PARTS   := $(EXERCISE_SHARED) $(LIBRARY) $(EXERCISES)/commands
 
 # A student's function may be a loop without an end, or write where nothing is.

@@ -33,4 +33,37 @@ static const char *text_of(Real3 a)
     return vector_text(doubles(a));
 }
 
+static Textbook textbook_of(const Scene *scene)
+{
+    static RenderReport report;
+    return (Textbook){.scene = scene, .shift = SCENE_SHIFT, .report = &report};
+}
+
+/* The ray through the middle of a pixel. */
+static RealRay ray_of(const Scene *scene, int column, int row)
+{
+    return camera_ray(view_of(scene), column, row, 0, 0).ray;
+}
+
+static Real3 normal_of(const Scene *scene, int face)
+{
+    return rounded(scene->planes[face].normal);
+}
+
+static void given_face(const Scene *scene, int index)
+{
+    static const char *const NAMES[] = {"v[0]", "v[1]", "v[2]", "v[3]"};
+    const Face *face = &scene->faces[index];
+    given("face", "%d, %s", index, scene->objects[face->object].name);
+    for (int k = 0; k < face->vertex_count; k++)
+        given(NAMES[k], "%s", text_of(vertex(face, k)));
+    given("N", "%s", text_of(normal_of(scene, index)));
+}
+
+static void given_ray(RealRay ray)
+{
+    given("ray.o", "%s", text_of(ray.o));
+    given("ray.r", "%s", text_of(ray.r));
+}
+
 #endif

@@ -89,18 +89,15 @@ static void try_face(int column, int row, int index)
 {
     const Scene *scene = scene_of(SCENE);
     const Face *face = &scene->faces[index];
-    Real3 n = rounded(scene->planes[index].normal);
-    RealRay ray = camera_ray(view_of(scene), column, row, 0, 0).ray;
+    Real3 n = normal_of(scene, index);
+    RealRay ray = ray_of(scene, column, row);
     Hit start = empty_hit(index);
     start.edges = 0;
     meets_plane(n, vertex(face, 0), ray, &start);
     start.p = add(ray.o, scale(start.t, ray.r));
 
     shown_at(SCENE, column, row);
-    given("face", "%d, %s", index, scene->objects[face->object].name);
-    for (int k = 0; k < face->vertex_count; k++)
-        given((const char *[]){"v[0]", "v[1]", "v[2]", "v[3]"}[k], "%s", text_of(vertex(face, k)));
-    given("N", "%s", text_of(n));
+    given_face(scene, index);
     given("hit->p", "%s", text_of(start.p));
 
     Hit returned = start, expected = start;

@@ -1,0 +1,12 @@
+/* Fails at pixel_to_the_right: x grows to the left. */
+#include "scene/geometry.h"
+#include "trace/textbook_real.h"
+
+static ScreenRay camera_ray(View view, int column, int row, int i, int j)
+{
+    Real n = (Real)view.grid, columns = (Real)view.columns, rows = (Real)view.rows, half = (Real)0.5;
+    Real x = (half - ((Real)column + ((Real)i + half) / n) / columns) * (Real)view.width;
+    Real y = (half - ((Real)row + ((Real)j + half) / n) / rows) * (Real)view.height;
+    Real3 r = add(add(rounded(view.forward), scale(x, rounded(view.right))), scale(y, rounded(view.up)));
+    return (ScreenRay){x, y, {rounded(view.eye), r}};
+}

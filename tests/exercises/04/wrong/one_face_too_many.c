@@ -1,0 +1,11 @@
+/* Fails at one_face: outside an array. */
+#include "trace/textbook_face.h"
+
+static Hit nearest_hit(const Textbook *textbook, RealRay ray)
+{
+    Hit nearest = {.face = -1, .t = (Real)HUGE_VAL}, hit;
+    for (int i = 0; i <= textbook->scene->face_count; i++)
+        if (hits_face(textbook, i, ray, nearest.t, &hit) && hit.t < nearest.t)
+            nearest = hit;
+    return nearest;
+}
