@@ -232,7 +232,8 @@ bench: ## measure the ladder of scenes: tables here, plots in build/bench/ (many
 
 # --- The rest -------------------------------------------------------------------------------------------------
 
-PARTS := src/page/page.mk tests/tests.mk tests/exercises/exercises.mk .ci/care.mk tests/peers/peers.mk
+PARTS := src/page/page.mk tests/tests.mk tests/exercises/exercises.mk tests/exercises/course.mk .ci/care.mk \
+    tests/peers/peers.mk
 include $(PARTS)
 
 .PHONY: clean
