@@ -1,5 +1,5 @@
-"""Bug hunts: each fault shows in the picture and in the walkthrough of its pixel, and can be mended. Three of them here,
-all of them in `make soak`."""
+"""Bug hunts: each fault shows in the picture and in the walkthrough of its pixel, and can be mended. Three of them
+here, all of them in `make soak`."""
 import contextlib
 import io
 import os

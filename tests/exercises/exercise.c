@@ -90,7 +90,7 @@ static int picture_test(const Exercise *exercise, const char *path)
         scene.screen.rows = exercise->rows;
     }
     PictureDifference found;
-    if (!exercise_picture(&scene, exercise->pixel, path, &found, &error))
+    if (!exercise_picture(&scene, exercise, path, &found, &error))
         report_broken(error.text);
     report_line("picture", "%s\t%d\t%d", path, found.differing, scene.screen.columns * scene.screen.rows);
     if (!found.wrong)

@@ -27,6 +27,7 @@ typedef struct Exercise {
     ExercisePixel *pixel;      /* NULL: there is no picture */
     const char *scene;         /* of the picture */
     int columns, rows;         /* of the picture; 0: the scene's */
+    ExercisePixel *ours;       /* what the picture is compared with; NULL: textbook_pixel */
 } Exercise;
 
 /* Runs the tests, then compares the pictures and writes both. argv: the report's path, the picture's path. */

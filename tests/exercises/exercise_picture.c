@@ -16,9 +16,10 @@ static bool far_apart(const unsigned char *a, const unsigned char *b)
     return false;
 }
 
-bool exercise_picture(const Scene *scene, ExercisePixel *student, const char *path, PictureDifference *found,
+bool exercise_picture(const Scene *scene, const Exercise *exercise, const char *path, PictureDifference *found,
                       Error *error)
 {
+    ExercisePixel *ours = exercise->ours ? exercise->ours : textbook_pixel;
     RenderReport report = {0};
     Textbook textbook = {.scene = scene, .shift = SCENE_SHIFT, .report = &report};
     int columns = scene->screen.columns, rows = scene->screen.rows;
@@ -32,8 +33,8 @@ bool exercise_picture(const Scene *scene, ExercisePixel *student, const char *pa
         for (int column = 0; column < columns; column++) {
             unsigned char *left = both.rgb + 3 * ((size_t)row * (size_t)both.columns + (size_t)column);
             unsigned char *right = left + 3 * (columns + STRIPE);
-            student(&textbook, column, row, left);
-            textbook_pixel(&textbook, column, row, right);
+            exercise->pixel(&textbook, column, row, left);
+            ours(&textbook, column, row, right);
             if (far_apart(left, right) && found->differing++ == 0) {
                 found->column = column;
                 found->row = row;

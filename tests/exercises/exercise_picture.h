@@ -12,7 +12,7 @@ typedef struct PictureDifference {
 } PictureDifference;
 
 /* Renders both, and writes them side by side as a PNG: the student's on the left. */
-bool exercise_picture(const Scene *scene, ExercisePixel *student, const char *path, PictureDifference *found,
+bool exercise_picture(const Scene *scene, const Exercise *exercise, const char *path, PictureDifference *found,
                       Error *error);
 
 #endif

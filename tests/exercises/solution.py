@@ -26,7 +26,8 @@ def wanted(number):
 def definition_of(text, name):
     """(place in the text, the function with the comment above it)"""
     comment = r"(?:^/\*(?:(?!\*/).)*\*/\n)?"
-    found = re.search(rf"(?ms){comment}^(?!typedef|#| |/)[^\n;{{}}=]*?\b{name}\([^;{{}}]*\)\s*\{{.*?(?:^\}}$|\}}$)", text)
+    found = re.search(rf"(?ms){comment}^(?!typedef|#| |/)[^\n;{{}}=]*?\b{name}\([^;{{}}]*\)\s*(?:\{{[^\n]*\}}$|\{{\n.*?^\}}$)",
+                      text)
     return (found.start(), found[0]) if found else None
 
 

@@ -26,11 +26,11 @@ static Distance distance_from_plane(const Face *face, const Plane *plane, Vec3 o
     return (Distance){.value = NAN, .error = NAN};
 }
 
-/* The point p, which lies near the plane, moved along n, so that it is surely above the plane: on the side that n points
- * to. n is plane->normal or its opposite.
+/* The point p, which lies near the plane, moved along n, so that it is surely above the plane: on the side that n
+ * points to. n is plane->normal or its opposite.
  *
- * p was computed, so it lies a little above the plane or below it. The point that you give back lies truly above it, and
- * at most 64 u (|P| + |P - v0|) + 1e-25 high. */
+ * p was computed, so it lies a little above the plane or below it. The point that you give back lies truly above it,
+ * and at most 64 u (|P| + |P - v0|) + 1e-25 high. */
 static Vec3 shifted_point(const Face *face, const Plane *plane, Vec3 n, Vec3 p)
 {
     /* Your lines. */

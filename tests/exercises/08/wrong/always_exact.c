@@ -16,7 +16,8 @@ static int side_of_edge(Vec3 o, Vec3 r, Vec3 a, Vec3 b)
 {
     Vec3 p = vec3_sub(a, o), q = vec3_sub(b, o), c = vec3_cross(p, q);
     double value = vec3_dot(r, c);
-    double size = fabs(r.x) * (fabs(p.y * q.z) + fabs(p.z * q.y)) + fabs(r.y) * (fabs(p.z * q.x) + fabs(p.x * q.z)) + fabs(r.z) * (fabs(p.x * q.y) + fabs(p.y * q.x));
+    double size = fabs(r.x) * (fabs(p.y * q.z) + fabs(p.z * q.y)) + fabs(r.y) * (fabs(p.z * q.x) + fabs(p.x * q.z)) +
+                  fabs(r.z) * (fabs(p.x * q.y) + fabs(p.y * q.x));
     if (size < 0)
         return value > 0 ? 1 : -1;
     return exact_side_of_edge(o, r, a, b);
