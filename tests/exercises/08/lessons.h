@@ -1,4 +1,5 @@
-/* A small tracer made of the three functions, and the pixels of the lessons. Included by test.c alone, after the student's file. */
+/* A small tracer made of the three functions, and the pixels of the lessons. Included by test.c alone, after the
+ * student's file. */
 #ifndef EXERCISE_LESSONS_H
 #define EXERCISE_LESSONS_H
 
