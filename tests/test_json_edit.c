@@ -95,6 +95,33 @@ static void json_edit_should_survive_ten_thousand_paths(void)
     TEST_ASSERT_GREATER_THAN(100, edited);
 }
 
+static void json_edit_should_find_keys_with_escapes(void)
+{
+    Error error = {.kind = ERROR_NONE};
+    char *text = json_edit("{\"c\\u0061mera\": {\"\\u00e9 \\\"\": 1, \"é\": 2}}", "camera.é", "3", &error);
+    TEST_ASSERT_EQUAL_STRING("{\"c\\u0061mera\": {\"\\u00e9 \\\"\": 1, \"é\": 3}}", text);
+    free(text);
+    TEST_ASSERT_TRUE(json_has("{\"c\\u0061mera\": 1}", "camera"));
+    TEST_ASSERT_FALSE(json_has("{\"a\": {\"camera\": 1}}", "camera"));
+    TEST_ASSERT_FALSE(json_has("{\"camera", "camera"));
+}
+
+static void assert_without(const char *expected, const char *text)
+{
+    char *rest = json_without(text, "b");
+    TEST_ASSERT_EQUAL_STRING(expected, rest);
+    free(rest);
+}
+
+static void json_without_should_leave_no_comma(void)
+{
+    assert_without("{ \"a\": 1, \"c\": 3 }", "{ \"a\": 1, \"b\": [2, {}], \"c\": 3 }");
+    assert_without("{ \"a\": 1 }", "{ \"a\": 1,\n \"b\": 2 }");
+    assert_without("{ \"c\": 3 }", "{ \"b\" : \"},\" , \"c\": 3 }");
+    assert_without("{ }", "{ \"\\u0062\": 2 }");
+    assert_without("{ \"a\": { \"b\": 2 } }", "{ \"a\": { \"b\": 2 } }");
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -102,6 +129,8 @@ int main(void)
     RUN_TEST(json_edit_should_quote_a_word);
     RUN_TEST(json_edit_should_add_a_key);
     RUN_TEST(json_edit_should_tell_how_far_a_path_leads);
+    RUN_TEST(json_edit_should_find_keys_with_escapes);
+    RUN_TEST(json_without_should_leave_no_comma);
     RUN_TEST(json_edit_should_survive_ten_thousand_paths);
     return UNITY_END();
 }

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "json/json_bulk.h"
 
+#include <cjson/cJSON.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -44,16 +45,51 @@ static const char *next_step(const char *path, bool first, Step *step)
     return key_step(path, strcspn(path, ".["), step);
 }
 
+/* Whether a key, with its quotes, is a word. An escape in it is read as cJSON reads it. */
+static bool key_is(JsonSpan key, const char *word)
+{
+    size_t length = (size_t)(key.end - key.begin);
+    if (!memchr(key.begin, '\\', length))
+        return json_span_is((JsonSpan){key.begin + 1, key.end - 1}, word);
+    cJSON *item = cJSON_ParseWithLength(key.begin, length);
+    bool same = cJSON_IsString(item) && strcmp(item->valuestring, word) == 0;
+    cJSON_Delete(item);
+    return same;
+}
+
+/* The key at `at`, with its quotes, and in *value where its value begins. Returns the value's end; NULL: there is no
+ * key. */
+static const char *read_member(const char *at, JsonSpan *key, const char **value)
+{
+    key->begin = json_blanks(at);
+    key->end = *key->begin == '"' ? json_bulk_skip(key->begin) : NULL;
+    at = key->end ? json_bulk_mark(key->end, ':') : NULL;
+    *value = at ? json_blanks(at) : NULL;
+    return at ? json_bulk_skip(at) : NULL;
+}
+
+static const char *find_member(const char *object, const char *word, JsonSpan *key)
+{
+    const char *value;
+    for (const char *at = json_bulk_mark(object, '{'); at; at = json_bulk_mark(at, ',')) {
+        if (!(at = read_member(at, key, &value)))
+            return NULL;
+        if (key_is(*key, word))
+            return value;
+    }
+    return NULL;
+}
+
 /* Where the value of a member or an element begins; NULL: there is none, or `at` is no object or list. */
 static const char *find_child(const char *at, const Step *step)
 {
-    JsonSpan name = {NULL, NULL};
-    at = json_bulk_mark(at, step->index < 0 ? '{' : '[');
+    JsonSpan key;
+    if (step->index < 0)
+        return find_member(at, step->key, &key);
+    at = json_bulk_mark(at, '[');
     for (long i = 0; at; i++) {
-        if (step->index < 0 && (!(at = json_bulk_string(at, &name)) || !(at = json_bulk_mark(at, ':'))))
-            return NULL;
         at = json_blanks(at);
-        if (step->index < 0 ? json_span_is(name, step->key) : i == step->index && *at != ']')
+        if (i == step->index && *at != ']')
             return at;
         at = json_bulk_skip(at);
         at = at ? json_bulk_mark(at, ',') : NULL;
@@ -169,4 +205,24 @@ char *json_edit(const char *text, const char *path, const char *value, Error *er
         error_set(error, ERROR_USAGE, "the path does not lead to a value that can be set");
     free(word);
     return result;
+}
+
+bool json_has(const char *text, const char *word)
+{
+    JsonSpan key;
+    return find_member(text, word, &key) != NULL;
+}
+
+char *json_without(const char *text, const char *word)
+{
+    JsonSpan key;
+    const char *value = find_member(text, word, &key), *end = value ? json_bulk_skip(value) : text;
+    if (!value)
+        return replaced(text, text, text, "");
+    const char *before = key.begin, *after = json_blanks(end);
+    while (before[-1] == ' ' || before[-1] == '\t' || before[-1] == '\n' || before[-1] == '\r')
+        before--;
+    if (before[-1] == ',')
+        return replaced(text, before - 1, end, "");
+    return replaced(text, key.begin, *after == ',' ? json_blanks(after + 1) : after, "");
 }

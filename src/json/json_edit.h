@@ -11,4 +11,11 @@
  * caller frees; NULL with an ERROR_USAGE that tells how far the path leads, or without memory. */
 char *json_edit(const char *text, const char *path, const char *value, Error *error);
 
+/* Whether the outermost object of a text has a key; the text need not be JSON. */
+bool json_has(const char *text, const char *word);
+
+/* A copy of a JSON text without a member of its outermost object, and without the comma that it leaves. NULL without
+ * memory. */
+char *json_without(const char *text, const char *word);
+
 #endif
