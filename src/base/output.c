@@ -4,6 +4,7 @@
 
 #include "base/interrupt.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -31,6 +32,23 @@ static char *temporary_name(const char *target, int attempt)
     return name;
 }
 
+/* Locks a file for its writer. True, too, where the file system has no locks. */
+static bool lock(int descriptor, bool *has_locks)
+{
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    bool locked = fcntl(descriptor, F_SETLK, &whole) == 0;
+    *has_locks = locked || errno == EACCES || errno == EAGAIN;
+    return locked || !*has_locks;
+}
+
+/* A file that another process was about to sweep away is not taken. */
+static bool is_ours(int descriptor)
+{
+    struct stat status;
+    bool has_locks;
+    return lock(descriptor, &has_locks) && fstat(descriptor, &status) == 0 && status.st_nlink > 0;
+}
+
 /* Creates the temporary file beside the target; the descriptor, or -1 with the error filled. */
 static int create_temporary(Output *output, Error *error)
 {
@@ -41,11 +59,15 @@ static int create_temporary(Output *output, Error *error)
             return -1;
         }
         int descriptor = interrupt_create_guarded(name);
-        if (descriptor >= 0) {
+        if (descriptor >= 0 && is_ours(descriptor)) {
             output->temporary = name;
             return descriptor;
         }
-        int reason = errno;
+        int reason = descriptor >= 0 ? EEXIST : errno;
+        if (descriptor >= 0) {
+            interrupt_release();
+            close(descriptor);
+        }
         free(name);
         if (reason != EEXIST || attempt == 100) {
             output_failed(output, strerror(reason), error);
@@ -77,6 +99,36 @@ static bool open_file(Output *output, Error *error)
         close(descriptor);
     }
     return output->file != NULL;
+}
+
+/* Removes a file that nobody holds locked. */
+static void sweep_file(const char *path)
+{
+    bool has_locks;
+    int descriptor = open(path, O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    if (lock(descriptor, &has_locks) && has_locks)
+        unlink(path);
+    close(descriptor);
+}
+
+void output_sweep(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    int length = slash ? (int)(slash - path) + 1 : 2;
+    char file[4096];
+    snprintf(file, sizeof file, "%.*s", length, slash ? path : "./");
+    DIR *folder = opendir(file);
+    for (struct dirent *entry; folder && (entry = readdir(folder)) != NULL;) {
+        const char *end = strstr(entry->d_name, ".part");
+        if (strncmp(entry->d_name, ".rectray-", 9) != 0 || !end || end[5] != '\0')
+            continue;
+        snprintf(file, sizeof file, "%.*s%s", length, slash ? path : "./", entry->d_name);
+        sweep_file(file);
+    }
+    if (folder)
+        closedir(folder);
 }
 
 bool output_replaces(const char *path, const char *input)

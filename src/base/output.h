@@ -32,6 +32,10 @@ bool output_commit(Output *output, Error *error);
 /* Leaves what was under the name as it was; frees and zeroes the output, which may be zeroed already. */
 void output_abort(Output *output);
 
+/* Removes from the folder of `path` what processes that were killed have left there under temporary names. A file that
+ * is still being written is locked by its writer, and stays; on a file system without locks all stay. */
+void output_sweep(const char *path);
+
 /* Fills the error: "cannot write PATH: reason". Returns false. */
 bool output_failed(const Output *output, const char *reason, Error *error);
 
