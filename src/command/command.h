@@ -18,6 +18,7 @@ bool command_bench(const Options *options, Error *error);
 bool command_bench_error(const Options *options, Error *error); /* `bench error`: called by command_bench */
 bool command_bench_kernels(const Options *options, Error *error);
 bool command_tree(const Options *options, Error *error);
+bool command_frame(const Options *options, Error *error);
 bool command_generate(const Options *options, Error *error);
 bool command_kernels(const Options *options, Error *error);
 bool command_help(const Options *options, Error *error);

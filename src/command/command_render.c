@@ -6,6 +6,7 @@
 #include "command/command.h"
 #include "command/hint_words.h"
 #include "command/progress.h"
+#include "command/render_frames.h"
 #include "command/render_maps.h"
 #include "command/render_watch.h"
 #include "command/scene_open.h"
@@ -130,7 +131,7 @@ static bool trace(const Options *options, Scene *scene, Painter *painter, Render
     settings.precision = precision_of(options);
     settings.linear = painter->linear;
     settings.notice = (Notice){show_notice, tell_foreseen, painter};
-    if (options->map_count == 0) /* maps are drawn from the scene */
+    if (options->map_count == 0 && !options->frames_given) /* maps, and other frames, are made of the scene, too */
         settings.spent = (Spent){free_planes, scene};
     bool done = backend_render(options->backend, scene, &settings, sink, report, error);
     progress_end(&painter->progress);
@@ -300,5 +301,9 @@ bool command_render(const Options *options, Error *error)
 {
     if (options->stage)
         return print_stage(options->operands[0], error);
+    if (options->frames_given)
+        return render_frames(options, render, error);
+    if (options->resume)
+        return error_set(error, ERROR_USAGE, "--resume goes on with frames; say which with --frames");
     return options->watch ? render_watch(options, render_once, error) : render_once(options, error);
 }

@@ -53,6 +53,8 @@ typedef struct Options {
     const char *second_value; /* of an option that takes two, while it is read */
     OptionEdit edits[EDITS_MAX];
     int edit_count;
+    int frame;                   /* of the scene's animation */
+    int first_frame, last_frame; /* to render; last -1: to the end */
     OptionMap maps[MAPS_MAX];
     int map_count;
     bool mark_given;
@@ -77,9 +79,9 @@ typedef struct Options {
     int depth;          /* place in 8, 16: bits a channel of a picture */
     ProgressMode progress;
     HelpFormat help_format;
-    bool precision_given, pixel_given, shift_given;
-    bool quiet, stage, watch, geometry, verbose, with_scene, summary, diff, darkest, no_pager, ladder, json, check,
-        open, strict, help, version;
+    bool precision_given, pixel_given, shift_given, frame_given, frames_given;
+    bool quiet, resume, stage, watch, geometry, verbose, with_scene, summary, diff, darkest, no_pager, ladder, json,
+        check, open, strict, help, version;
 } Options;
 
 /* How an option's value is read. */

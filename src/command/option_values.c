@@ -1,6 +1,7 @@
 /* How the values of single options are read: words, and what is no plain word or number. */
 #include "command/option_values.h"
 
+#include "reader/scene_track.h"
 #include "scene/scene.h"
 #include "trace/skip.h"
 #include <ctype.h>
@@ -218,4 +219,25 @@ bool option_set_light(Options *o, const char *value)
 bool option_set_value(Options *o, const char *value)
 {
     return value[0] != '=' && strchr(value, '=') && add_edit(o, "set", value);
+}
+
+/* --- Frames --- */
+
+bool option_set_frame(Options *o, const char *value)
+{
+    o->frame_given = true;
+    return option_read_int(value, 0, TRACK_MAX_FRAMES - 1, '\0', &o->frame);
+}
+
+/* "A-B" or "all". */
+bool option_set_frames(Options *o, const char *value)
+{
+    o->frames_given = true;
+    o->first_frame = 0;
+    o->last_frame = -1;
+    if (strcmp(value, "all") == 0)
+        return true;
+    const char *dash = option_read_int(value, 0, TRACK_MAX_FRAMES - 1, '-', &o->first_frame);
+    return dash && option_read_int(dash + 1, 0, TRACK_MAX_FRAMES - 1, '\0', &o->last_frame) &&
+           o->first_frame <= o->last_frame;
 }

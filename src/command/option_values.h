@@ -20,6 +20,8 @@ bool option_set_look_at(Options *o, const char *value);
 bool option_set_up(Options *o, const char *value);
 bool option_set_light(Options *o, const char *value);
 bool option_set_value(Options *o, const char *value);
+bool option_set_frame(Options *o, const char *value);
+bool option_set_frames(Options *o, const char *value);
 bool option_set_pixel(Options *o, const char *value);
 bool option_set_sample(Options *o, const char *value);
 bool option_set_precision(Options *o, const char *value);

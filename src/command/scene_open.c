@@ -68,6 +68,32 @@ static bool make_edit(EditText *made, const OptionEdit *option, Error *error)
     return true;
 }
 
+/* All that the options ask for. Free it also after a failure. */
+typedef struct Edits {
+    EditText made[EDITS_MAX];
+    SceneEdit items[EDITS_MAX];
+    SceneEdits list;
+} Edits;
+
+static bool make_edits(Edits *edits, const Options *options, Error *error)
+{
+    edits->list = (SceneEdits){edits->items, 0, options->frame, options->frame_given};
+    for (int i = 0; i < options->edit_count; i++) {
+        edits->made[i].memory = NULL;
+        edits->list.count++;
+        if (!make_edit(&edits->made[i], &options->edits[i], error))
+            return false;
+        edits->items[i] = edits->made[i].edit;
+    }
+    return true;
+}
+
+static void free_edits(Edits *edits)
+{
+    for (int i = 0; i < edits->list.count; i++)
+        free(edits->made[i].memory);
+}
+
 /* A model is read as a scene of its own. Its stage has a name without a folder, so that the model's path in it counts
  * from the working directory. */
 static bool load(Scene *scene, const char *path, SceneEdits edits, Error *error)
@@ -80,18 +106,36 @@ static bool load(Scene *scene, const char *path, SceneEdits edits, Error *error)
 
 bool scene_open_load(Scene *scene, const Options *options, Error *error)
 {
-    EditText made[EDITS_MAX] = {{0}};
-    SceneEdit edits[EDITS_MAX];
-    bool done = true;
+    Edits edits;
     *scene = (Scene){0};
-    for (int i = 0; i < options->edit_count && done; i++) {
-        done = make_edit(&made[i], &options->edits[i], error);
-        edits[i] = made[i].edit;
-    }
-    done = done && load(scene, options->operands[0], (SceneEdits){edits, options->edit_count}, error);
-    for (int i = 0; i < options->edit_count; i++)
-        free(made[i].memory);
+    bool done = make_edits(&edits, options, error) && load(scene, options->operands[0], edits.list, error);
+    free_edits(&edits);
     return done;
+}
+
+char *scene_open_frame(const Options *options, Error *error)
+{
+    Edits edits;
+    char *text = make_edits(&edits, options, error) ? scene_frame_text(options->operands[0], edits.list, error) : NULL;
+    free_edits(&edits);
+    return text;
+}
+
+bool scene_open_film(OpenFilm *opened, const Options *options, Error *error)
+{
+    *opened = (OpenFilm){.edits = calloc(1, sizeof *opened->edits)};
+    if (!opened->edits)
+        return error_memory(error, "a film");
+    return make_edits(opened->edits, options, error) &&
+           scene_film_open(&opened->film, options->operands[0], opened->edits->list, error);
+}
+
+void scene_close_film(OpenFilm *opened)
+{
+    scene_film_free(&opened->film);
+    if (opened->edits)
+        free_edits(opened->edits);
+    free(opened->edits);
 }
 
 bool scene_open(Scene *scene, const Options *options, Error *error)

@@ -130,6 +130,9 @@ extern const int scene_build_box_faces[BUILD_BOX_FACES][4]; /* the corners of ea
 /* Moves faces, camera and lights to the scene's centre, rounds the faces and computes their planes. */
 bool scene_build_finish(SceneBuild *build);
 
+/* The last part of it: moves camera and lights to the scene's centre. */
+bool scene_build_place(SceneBuild *build);
+
 void scene_build_free(SceneBuild *build);
 
 #endif

@@ -49,6 +49,11 @@ static bool move_lights(SceneBuild *build)
     return true;
 }
 
+bool scene_build_place(SceneBuild *build)
+{
+    return move_camera(build) && move_lights(build);
+}
+
 /* An object's faces stand together, in the order of the objects. */
 static void count_faces(Scene *scene)
 {
@@ -73,5 +78,5 @@ bool scene_build_finish(SceneBuild *build)
     if (!finish_faces_round(build))
         return false;
     count_faces(scene);
-    return move_camera(build) && move_lights(build);
+    return scene_build_place(build);
 }

@@ -7,6 +7,7 @@
 
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The screen's measures: no smaller, so that a ray's direction keeps away from the smallest doubles, and no larger. */
 static const double SMALLEST_LENGTH = 1e-12, LARGEST_LENGTH = 1e12;
@@ -168,7 +169,7 @@ static bool read_sampling(const Json *json, const cJSON *item, Scene *scene)
     return !finest || json_integer(json, finest, 1, SCENE_MAX_GRID, &scene->grid);
 }
 
-enum { CAMERA, SCREEN, LIGHTS, MATERIALS, OBJECTS, SHADING, SAMPLING, SCHEMA, SCENE_KEYS };
+enum { CAMERA, SCREEN, LIGHTS, MATERIALS, OBJECTS, SHADING, SAMPLING, ANIMATION, SCHEMA, SCENE_KEYS };
 
 /* Gives the reason of scene_build_finish its place. */
 static bool fail_finish(const Json *json, const JsonMember *keys, const SceneBuild *build)
@@ -193,18 +194,22 @@ static bool read_objects(const Json *json, const cJSON *list, const SceneBulk *b
     return !list || scene_objects_read(json, list, build);
 }
 
+static const JsonMember scene_keys[SCENE_KEYS] = {
+    [CAMERA] = {.name = "camera", .required = true},
+    [SCREEN] = {.name = "screen", .required = true},
+    [LIGHTS] = {.name = "lights"},
+    [MATERIALS] = {.name = "materials"},
+    [OBJECTS] = {.name = "objects"},
+    [SHADING] = {.name = "shading"},
+    [SAMPLING] = {.name = "sampling"},
+    [ANIMATION] = {.name = "animation"}, /* the text is already that of a frame: scene_animation.h */
+    [SCHEMA] = {.name = "$schema"},      /* for editors */
+};
+
 static bool read_scene(const Json *json, const SceneBulk *bulk, Scene *scene, SceneBuild *build)
 {
-    JsonMember keys[SCENE_KEYS] = {
-        [CAMERA] = {.name = "camera", .required = true},
-        [SCREEN] = {.name = "screen", .required = true},
-        [LIGHTS] = {.name = "lights"},
-        [MATERIALS] = {.name = "materials"},
-        [OBJECTS] = {.name = "objects"},
-        [SHADING] = {.name = "shading"},
-        [SAMPLING] = {.name = "sampling"},
-        [SCHEMA] = {.name = "$schema"}, /* for editors */
-    };
+    JsonMember keys[SCENE_KEYS];
+    memcpy(keys, scene_keys, sizeof keys);
     if (!json_members(json, json->root, keys, SCENE_KEYS) || !check_schema(json, keys[SCHEMA].item) ||
         !read_camera(json, keys[CAMERA].item, &scene->camera) ||
         !read_screen(json, keys[SCREEN].item, &scene->screen) || !read_lights(json, keys[LIGHTS].item, scene) ||
@@ -224,5 +229,25 @@ bool scene_values_read(Scene *scene, Json *json, SceneBulk *bulk)
     json_free(json);
     if (!good)
         scene_free(scene);
+    return good;
+}
+
+bool scene_values_move(Scene *scene, Json *json)
+{
+    JsonMember keys[SCENE_KEYS];
+    Scene moved = {.centre = scene->centre};
+    SceneBuild build = {.scene = &moved, .error = json->error};
+    memcpy(keys, scene_keys, sizeof keys);
+    bool good = json_members(json, json->root, keys, SCENE_KEYS) &&
+                read_camera(json, keys[CAMERA].item, &moved.camera) && read_lights(json, keys[LIGHTS].item, &moved) &&
+                (scene_build_place(&build) || fail_finish(json, keys, &build));
+    json_free(json);
+    if (good) {
+        free(scene->lights);
+        scene->camera = moved.camera;
+        scene->lights = moved.lights;
+        scene->light_count = moved.light_count;
+    } else
+        scene_free(&moved);
     return good;
 }

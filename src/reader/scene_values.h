@@ -15,4 +15,8 @@ typedef struct SceneBulk {
 /* Reads a parsed file, and frees it. bulk NULL: the tree has the objects, and an error gets its place. */
 bool scene_values_read(Scene *scene, Json *json, SceneBulk *bulk);
 
+/* Gives a scene the camera and the lights of a parsed file with the same objects, which the tree may lack, and frees
+ * the tree. After a failure the scene is as it was. */
+bool scene_values_move(Scene *scene, Json *json);
+
 #endif

@@ -21,6 +21,25 @@ static void check_other_way(const char *text, long length, const Scene *scene, c
     scene_free(&other);
 }
 
+/* Some frame of a scene that moves; there may be no such frame. */
+static void check_frame(const char *text, long length)
+{
+    static Error error;
+    Scene scene;
+    char *copy = malloc((size_t)length + 1);
+    REQUIRE(copy);
+    memcpy(copy, text, (size_t)length);
+    copy[length] = '\0';
+    error.kind = ERROR_NONE;
+    error.text[0] = '\0';
+    SceneEdits edits = {.frame = (int)(length % 7), .has_frame = true};
+    if (scene_take_edited(&scene, "/proc/self/fd/scene.json", copy, edits, &error)) {
+        fuzz_check_scene(&scene);
+        scene_free(&scene);
+    } else
+        fuzz_check_error(&error);
+}
+
 int fuzz_scene(const uint8_t *data, size_t size)
 {
     static Error error;
@@ -35,6 +54,7 @@ int fuzz_scene(const uint8_t *data, size_t size)
     error.text[0] = '\0';
     bool good = scene_parse(&scene, "/proc/self/fd/scene.json", (const char *)text, (long)length, &error);
     check_other_way((const char *)text, (long)length, &scene, &error);
+    check_frame((const char *)text, (long)length);
     if (good) {
         REQUIRE(error.kind == ERROR_NONE);
         fuzz_check_scene(&scene);

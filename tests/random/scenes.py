@@ -328,6 +328,43 @@ class Generator:
             shading["background"] = self.colour()
         return self.commented(shading)
 
+    def keys(self, first, others):
+        """Keys of a track that begins with the values `first`."""
+        frames = sorted(self.rng.sample(range(0, 40), 1 + len(others)))
+        keys = [{"frame": frame} | values for frame, values in zip(frames, [first] + others)]
+        for key in keys:
+            if self.chance(0.3):
+                key["interpolation"] = self.rng.choice(["linear", "smooth"])
+        return [self.commented(key) for key in keys]
+
+    def moved(self, step):
+        """A step of the same kind, by another number."""
+        if "rotate" not in step:
+            return step
+        return {"rotate": step["rotate"] | {"degrees": self.rng.choice([0, 90, 360, self.rng.uniform(-700, 700)])}}
+
+    def animation(self, scene):
+        """Frame 0 is the scene as it stands."""
+        animation = {"frames": self.rng.choice([1, 2, 24, 1000000])}
+        if self.chance(0.5):
+            animation["fps"] = self.rng.choice([1, 25, 29.97])
+        if self.chance(0.5):
+            animation["interpolation"] = self.rng.choice(["linear", "smooth"])
+        orbit = {"centre": self.place(self.vector()), "degrees": self.rng.choice([360, -90, self.rng.uniform(0, 720)])}
+        if self.chance(0.3):
+            orbit["axis"] = self.edge(1)
+        first = {key: value for key, value in scene["camera"].items() if key in ("position", "look_at")}
+        camera = self.keys(first, [{key: self.place(self.vector(5)) for key in first} for _ in range(3)])
+        animation["camera"] = self.rng.choice([camera, self.commented({"orbit": self.commented(orbit)})])
+        lights = {str(i): self.keys({"position": light["position"]}, [{"position": self.place(self.vector(5))}])
+                  for i, light in enumerate(scene.get("lights", [])) if self.chance(0.3)}
+        objects, names = {}, [thing.get("name", f"objects[{i}]") for i, thing in enumerate(scene["objects"])]
+        for name, thing in zip(names, scene["objects"]):
+            steps = thing.get("transform", [])
+            if names.count(name) == 1 and self.chance(0.3):
+                objects[name] = self.keys({"transform": steps}, [{"transform": list(map(self.moved, steps))}])
+        return self.commented(animation | {"lights": lights, "objects": objects})
+
     def scene(self):
         """The text of the scene file; `files` holds the models, by name."""
         scene = {"camera": self.camera(), "screen": self.screen()}
@@ -346,4 +383,6 @@ class Generator:
             how = self.rng.choice(["grid", "adaptive"])
             self.adaptive = how == "adaptive"
             scene["sampling"] = {how: self.rng.choice([1, 2, 3, 4])}
+        if self.chance(0.2):
+            scene["animation"] = self.animation(scene)
         return Spelling(self.rng).write(self.commented(scene))
