@@ -72,9 +72,9 @@ void probe_load(Probe *probe, const Scene *scene)
     stop_unless(device_scene_pack(&packed, scene, &how, &error), &error);
     size_t faces = (size_t)(scene->face_count > 0 ? scene->face_count : 1);
     probe->parameters = new_buffer(probe, sizeof(Parameters), NULL);
-    probe->faces = new_buffer(probe, faces * sizeof(FaceRecord), packed.faces);
-    probe->face_rows = new_buffer(probe, device_reals_bytes(&packed.face_rows), packed.face_rows.data);
-    probe->planes = new_buffer(probe, device_reals_bytes(&packed.planes), packed.planes.data);
+    probe->faces = new_buffer(probe, faces * sizeof(FaceRecord), packed.faces.records);
+    probe->face_rows = new_buffer(probe, device_reals_bytes(&packed.faces.rows), packed.faces.rows.data);
+    probe->planes = new_buffer(probe, device_reals_bytes(&packed.faces.planes), packed.faces.planes.data);
     probe->materials = new_buffer(probe, device_reals_bytes(&packed.materials), packed.materials.data);
     probe->lights = new_buffer(probe, device_reals_bytes(&packed.lights), packed.lights.data);
     probe->view = new_buffer(probe, device_reals_bytes(&packed.view), packed.view.data);
