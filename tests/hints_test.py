@@ -128,7 +128,7 @@ class Hints(CommandTest):
                          ("light-in-box", 'light 0 at (0, 1, 0) is shut in the closed object "lamp"'))
         self.put("cube.obj", CUBE.replace("f 1 2 4\n", "f 4 2 1\n"))  # wound the other way
         self.assertEqual(self.kinds_of(inside), ["light-in-box", "black"])
-        self.put("cube.obj", CUBE.replace("f 3 4 8\n", ""))  # open on top
+        self.put("cube.obj", CUBE.replace("f 3 8 7\n", ""))  # open on top
         self.assertEqual(self.kinds_of(inside), ["light-hidden", "black"])
         self.assertEqual(self.kinds_of(lambda scene: (inside(scene), scene["camera"].update(position=[0, 9, 1]))), [])
 
@@ -153,7 +153,9 @@ class Hints(CommandTest):
 
     def test_a_light_behind_a_box(self):
         self.put("cube.obj", CUBE)
-        for thing in (BASE["objects"][1], {"material": "a", "obj": "cube.obj"}):
+        self.put("mixed.obj", CUBE.replace("f 1 2 4\n", "f 4 2 1\n"))
+        models = [{"material": "a", "obj": name} for name in ("cube.obj", "mixed.obj")]
+        for thing in (BASE["objects"][1], *models):
             below = lambda scene: (scene.update(objects=[thing]), scene["lights"][0].update(position=[0, -4, 0]),
                                    scene["camera"].update(position=[0, 3, 6]))
             self.assertEqual(self.kinds_of(below), ["light-behind", "black"])
