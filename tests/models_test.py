@@ -16,6 +16,7 @@ from pathlib import Path
 
 from support.program import PROGRAM, SCENE, CommandTest
 
+TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 FOLDERS = sorted(path for path in (Path(__file__).resolve().parent / "models").iterdir() if path.is_dir())
 
 
@@ -119,6 +120,75 @@ class Formats(CommandTest):
                     self.assertEqual(self.run_program("check", "scene.json")[1],
                                      "model.mtl:3: note: a line of an unknown kind is left out: "
                                      f"{key}, which needs a number from 0\n")
+
+    def checked(self, model, library=None, status=0, **changes):
+        """What `check` says of a model whose object has a material."""
+        self.put("model.obj", model)
+        if library is not None:
+            self.put("model.mtl", library)
+        object = {"material": "pink", "obj": "model.obj"} | changes
+        self.put("scene.json", json.dumps(SCENE | {"objects": [object]}))
+        return self.run_program("check", "scene.json", status=status)[1]
+
+    def test_what_cannot_be_read_stops_only_a_model_that_uses_it(self):
+        for line, reason in (("Kd 1 x 0", '"x" is not a finite number'),
+                             ("Ks 1 nan 0", "Ks: nan is not from 0 to 1e+18"),
+                             ("Ns -4", "Ns needs a number from 0 to 1e+18"),
+                             ("Ka 1 2", "Ka needs three numbers, or one for a grey, not 2")):
+            library = f"newmtl red\nKd 1 0 0\nnewmtl other\n{line}\nKa 0 0 0\n"
+            model = "mtllib model.mtl\n" + TRIANGLE.replace("f ", "usemtl red\nf ")
+            self.assertEqual(self.checked(model, library),
+                             f"model.mtl:4: note: a material that no face has cannot be read: {reason}\n")
+            self.assertEqual(self.checked(model.replace("red", "other"), library, status=1),
+                             f"model.obj:1: mtllib: model.mtl:4: {reason}\n")
+
+    def test_a_value_that_is_given_twice(self):
+        model = "mtllib model.mtl\n" + TRIANGLE.replace("f ", "usemtl red\nf ")
+        self.assertEqual(self.checked(model, "newmtl red\nKd 1 0 0\nNs 4\nKd 0 0 1\nnewmtl other\nNs 4\n"),
+                         'model.mtl:4: note: a value of a material is given again, and the last one counts: "Kd"\n')
+
+    def test_libraries_and_materials_without_a_name(self):
+        told = ("model.obj:1: note: a material library is not there: mtllib without a file; faces get the materials of "
+                "the scene\n")
+        self.assertEqual(self.checked("mtllib\n" + TRIANGLE), told)
+        model = "mtllib model.mtl\n" + TRIANGLE
+        self.assertEqual(self.checked(model, "newmtl \nKd 1 0 0\n"),
+                         "model.mtl:1: note: a line of an unknown kind is left out: newmtl without a name\n")
+        self.put("scene.json", json.dumps(SCENE | {"objects": [{"obj": "model.obj"}]}))
+        self.put("model.obj", "mtllib\n" + TRIANGLE)
+        self.assertIn("the face has no material", self.run_program("check", "scene.json", status=1)[1])
+
+    def test_a_model_without_faces_says_what_it_has(self):
+        self.assertEqual(self.checked("v 0 0 0\nv 1 0 0\np 1\np 2\nface 1 2 3\n", status=1),
+                         "model.obj: holds no face; 2 points without size are left out, the first at line 3, a line of "
+                         'an unknown kind is left out: "face"\n')
+        cloud = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n" \
+            b"element tristrips 0\nproperty list int int vertex_indices\nend_header\n0 0 0\n"
+        self.assertEqual(self.says(cloud), "model: this PLY file holds no face (a list vertex_indices); a line of an "
+                         "unknown kind is left out: element tristrips\n")
+
+    def test_faces_that_are_not_planar(self):
+        bent = "v 0 0 0\nv 1 0 0\nv 1 1 0.01\nv 0 1 0\nf 1 2 3 4\n"
+        self.assertEqual(self.checked(bent), "model.obj:5: note: a face is not planar, and is cut into pieces that "
+                         'are; "nonplanar": "error" would refuse it, and "split" is silent\n')
+        self.assertEqual(self.checked(bent, nonplanar="split"), "")
+        self.assertRegex(self.checked(bent, nonplanar="error", status=1), "^model.obj:5: the face is not planar: ")
+
+    def test_long_numbers_of_vertices_are_told_as_they_are_written(self):
+        for number in ("4294967297", "18446744073709551617", "-9223372036854775809"):
+            self.assertEqual(self.checked(TRIANGLE.replace("3\n", number + "/1\n"), status=1),
+                             f"model.obj:4: vertex {number} does not exist; 3 are defined above this line\n")
+
+    def test_a_line_that_is_too_long(self):
+        self.assertEqual(self.checked(TRIANGLE + "# " + (1 << 20) * "x", status=1),
+                         "model.obj:5: the line is longer than 1048576 bytes, with the lines that continue it; make "
+                         "several lines of it, or leave it out if it is a comment\n")
+
+    def test_a_key_that_is_meant_to_name_a_model(self):
+        for key in ("ply", "stl", "model", "Mesh"):
+            self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", key: "model.ply"}]}))
+            self.assertIn(f': objects[0].{key}: unknown key; "obj" names a model, in OBJ, PLY or STL\n',
+                          self.run_program("check", "scene.json", status=1)[1])
 
     def test_a_ply_file_may_begin_with_a_byte_order_mark(self):
         self.put("model.ply", "\ufeffply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"

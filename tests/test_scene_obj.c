@@ -183,9 +183,9 @@ static void assert_fails(const char *lines, const char *place_and_reason)
 static void broken_lines_should_be_named(void)
 {
     assert_fails("f 1 2 99999999999999999999\n",
-                 ":5: vertex 9223372036854775807 does not exist; 4 are defined above this line");
+                 ":5: vertex 99999999999999999999 does not exist; 4 are defined above this line");
     assert_fails("f 1 2 -99999999999999999999\n",
-                 ":5: vertex -9223372036854775807 does not exist; 4 are defined above this line");
+                 ":5: vertex -99999999999999999999 does not exist; 4 are defined above this line");
     assert_fails("f 1 2 6\nv 1 1 1\n", ":5: vertex 6 does not exist; the file has 5");
     static const char *const words[] = {"/1", "1/1/1/1", "1/1/1/", "1/a", "1//a", "+1", "-", "1.5", "0"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {

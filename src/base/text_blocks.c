@@ -105,8 +105,11 @@ TextBlock text_blocks_next(TextBlocks *blocks, Error *error)
         return last_block(blocks);
     TextBlock block = {blocks->rest, last_line_end(blocks)};
     if (!block.end) {
-        error_set(error, ERROR_INPUT, "%s:%ld: the line is longer than %d bytes", blocks->path, blocks->line + 1,
-                  TEXT_BLOCK_MAX);
+        error_set(
+            error, ERROR_INPUT,
+            "%s:%ld: the line is longer than %d bytes, with the lines that continue it; make several lines of it, or "
+            "leave it out if it is a comment",
+            blocks->path, blocks->line + 1, TEXT_BLOCK_MAX);
         return none;
     }
     blocks->rest = block.end;

@@ -162,14 +162,14 @@ static const char *round_face(const SceneBuild *build, int index)
     }
     Shape shape = shape_as_rounded(face);
     bool may_be_lost = shape.verdict && finish_lost_may_be(build, index);
-    if (may_be_lost && shape.verdict == SHAPE_REPEATED && face->vertex_count == 4) {
-        finish_lost_point(face, shape.second);
+    bool repeats = shape.verdict == SHAPE_REPEATED;
+    if (may_be_lost && (repeats || shape.verdict == SHAPE_CONCAVE) && face->vertex_count == 4) {
+        finish_lost_point(face, repeats ? shape.second : shape.first);
         shape = shape_as_rounded(face);
     }
-    bool no_area = shape.verdict == SHAPE_REPEATED || shape.verdict == SHAPE_NO_AREA;
     if (shape.verdict) {
         face->vertex_count = 0;
-        return no_area && may_be_lost ? NULL : finish_lost_reason;
+        return may_be_lost ? NULL : finish_lost_reason;
     }
     build->scene->planes[index] = face_plane(face);
     return NULL;

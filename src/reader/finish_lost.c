@@ -19,9 +19,9 @@ bool finish_lost_may_be(const SceneBuild *build, int index)
     return build->faces[index].skip || is_with_next(build, index) || (index > 0 && is_with_next(build, index - 1));
 }
 
-void finish_lost_point(Face *face, int second)
+void finish_lost_point(Face *face, int vertex)
 {
-    for (int k = second; k < 3; k++)
+    for (int k = vertex; k < 3; k++)
         memcpy(face->vertices[k], face->vertices[k + 1], sizeof face->vertices[k]);
     memcpy(face->vertices[3], face->vertices[0], sizeof face->vertices[3]);
     face->vertex_count = 3;

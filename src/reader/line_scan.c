@@ -9,6 +9,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* Whether a comment begins between two places of a line. A backslash at the end of a comment continues nothing. */
 static bool holds_comment(const char *begin, const char *end)
@@ -69,7 +70,7 @@ ScanWord scan_word(LineScan *scan)
 
 bool scan_word_is(ScanWord word, const char *text)
 {
-    return strncmp(word.text, text, (size_t)word.length) == 0 && text[word.length] == '\0';
+    return strlen(text) == (size_t)word.length && strncasecmp(word.text, text, (size_t)word.length) == 0;
 }
 
 Quoted scan_quote(ScanWord word)
@@ -104,7 +105,8 @@ bool scan_fail(const LineScan *scan, long line, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(reason, sizeof reason, format, arguments);
     va_end(arguments);
-    return error_set(scan->error, ERROR_INPUT, "%s:%ld: %s", scan->path, line, reason);
+    return scan->bare ? error_set(scan->error, ERROR_INPUT, "%s", reason)
+                      : error_set(scan->error, ERROR_INPUT, "%s:%ld: %s", scan->path, line, reason);
 }
 
 /* nan, NaN, -nan(ind), inf, Infinity, 1.#IND, -1.#QNAN, 1.#INF00 */

@@ -13,6 +13,7 @@ typedef struct LineScan {
     long line; /* the number of its line */
     const char *path;
     Error *error;
+    bool bare; /* a failure's message is its reason alone */
 } LineScan;
 
 static inline bool scan_is_blank(char c)
@@ -68,7 +69,7 @@ typedef struct ScanWord {
 /* The word here; goes on past its blanks. */
 ScanWord scan_word(LineScan *scan);
 
-/* Whether the word is this text. */
+/* Whether the word is this text, in any case: some programs write capitals. */
 bool scan_word_is(ScanWord word, const char *text);
 
 /* The word for a message. */
@@ -77,7 +78,7 @@ Quoted scan_quote(ScanWord word);
 /* All that is left of the line: a name, which may hold blanks. Goes to the next line. */
 char *scan_rest(LineScan *scan);
 
-/* "PATH:LINE: reason", and false. */
+/* "PATH:LINE: reason", or the reason alone, and false. */
 bool scan_fail(const LineScan *scan, long line, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 3, 4)))

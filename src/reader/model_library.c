@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 
 enum { WORDS_MOST = 16 };
 
@@ -60,17 +61,30 @@ static char *path_of_any_case(char *path, size_t at, Error *error)
     return path;
 }
 
+/* A folder or a pipe is no library. */
+static bool is_file(const char *path)
+{
+    struct stat status;
+    return text_exists(path) && (stat(path, &status) != 0 || S_ISREG(status.st_mode));
+}
+
 char *library_path(const char *beside, const char *name, bool *as_written, Error *error)
 {
     char *path = text_beside(beside, name, error);
-    *as_written = path && text_exists(path);
+    *as_written = path && is_file(path);
     if (!path || *as_written)
         return path;
     size_t begin = strlen(path) - strlen(name);
     for (char *c = path + begin; *c; c++)
         if (*c == '\\')
             *c = '/';
-    return text_exists(path) ? path : path_of_any_case(path, begin, error);
+    if (!text_exists(path))
+        path = path_of_any_case(path, begin, error);
+    if (path && !is_file(path)) {
+        free(path);
+        path = NULL;
+    }
+    return path;
 }
 
 static bool ends_in_mtl(const char *word, const char *end)

@@ -49,8 +49,10 @@ bool mtl_library_tell(const MtlLibrary *library, const MtlMaterial *material, No
 
 void mtl_library_free(MtlLibrary *library)
 {
-    for (int i = 0; i < library->count; i++)
+    for (int i = 0; i < library->count; i++) {
         free(library->items[i].material.name);
+        free(library->items[i].fault);
+    }
     for (int i = 0; i < library->remark_count; i++)
         free(library->remarks[i].detail);
     for (int i = 0; i < library->file_count; i++)

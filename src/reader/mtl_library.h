@@ -19,6 +19,9 @@ typedef struct MtlMaterial {
     const char *path;  /* of its library */
     long ambient_line; /* of its Ka; 0: it has none */
     int first_remark, remark_count;
+    char *fault; /* what cannot be read of it; NULL: nothing. It matters where a face has the material */
+    long fault_line;
+    long named_at; /* the line of the model that names the library */
 } MtlMaterial;
 
 /* The materials of all libraries that one model names. */

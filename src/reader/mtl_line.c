@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* Says that the material asks for something that it does not get. */
 static bool remark(MtlReader *reader, NoteName note, long line, char *detail)
@@ -38,11 +39,13 @@ static bool read_colour(LineScan *scan, ScanWord key, Vec3 *colour)
 static bool read_shininess(LineScan *scan, double *shininess)
 {
     int count;
+    double number;
     long line = scan->line;
-    if (!scan_numbers(scan, shininess, 1, &count))
+    if (!scan_numbers(scan, &number, 1, &count))
         return false;
-    if (count != 1 || !(*shininess >= 0 && *shininess <= SCENE_MAX_SHININESS))
+    if (count != 1 || !(number >= 0 && number <= SCENE_MAX_SHININESS))
         return scan_fail(scan, line, "Ns needs a number from 0 to %g", SCENE_MAX_SHININESS);
+    *shininess = number;
     return scan_next_line(scan);
 }
 
@@ -87,7 +90,7 @@ static bool read_unused(MtlReader *reader, ScanWord key)
     if (is_one_of(key, needless))
         return scan_next_line(&reader->scan);
     bool diffuse = scan_word_is(key, "map_Kd");
-    bool picture = strncmp(key.text, "map_", 4) == 0 || is_one_of(key, pictures);
+    bool picture = strncasecmp(key.text, "map_", 4) == 0 || is_one_of(key, pictures);
     bool is_physical = is_one_of(key, physical);
     describe(reader, key, detail);
     if (diffuse) {
@@ -132,10 +135,26 @@ static bool read_request(MtlReader *reader, ScanWord key)
     return scan_next_line(&reader->scan);
 }
 
+/* Of what is given twice, the last counts. */
+static bool watch_repeats(MtlReader *reader, ScanWord key)
+{
+    static const char *const keys[] = {"Ka", "Kd", "Ks", "Ns", "Ke", "illum", "d", "Tr", "map_Kd"};
+    for (unsigned i = 0; i < sizeof keys / sizeof *keys; i++) {
+        if (!scan_word_is(key, keys[i]))
+            continue;
+        bool repeats = reader->draft.given >> i & 1;
+        reader->draft.given |= 1u << i;
+        return !repeats || remark(reader, NOTE_VALUE_TWICE, reader->scan.line, scan_quote(key).text);
+    }
+    return true;
+}
+
 bool mtl_read_key(MtlReader *reader, ScanWord key)
 {
     LineScan *scan = &reader->scan;
     Material *material = &reader->now->material;
+    if (!watch_repeats(reader, key))
+        return false;
     if (scan_word_is(key, "Ka")) {
         reader->now->ambient_line = scan->line;
         return read_colour(scan, key, &material->ambient);
@@ -167,7 +186,12 @@ static bool finish_illum(MtlReader *reader)
         snprintf(detail, sizeof detail, "illum %d, reflection %.6g", draft->illum, material->reflection);
         return remark(reader, NOTE_MIRROR, draft->illum_line, detail);
     }
-    snprintf(detail, sizeof detail, "illum %d", draft->illum);
+    static const char *const asks[] = {
+        "its colour without light", "no highlight", "", "", "glass", "", "refraction", "refraction", "", "glass",
+        "shadows on nothing"};
+    bool is_known = draft->illum >= 0 && draft->illum < (int)(sizeof asks / sizeof *asks);
+    snprintf(detail, sizeof detail, "illum %d asks for %s", draft->illum,
+             is_known ? asks[draft->illum] : "what MTL does not define");
     bool done = draft->illum == -1 || draft->illum == 2 || (draft->illum == 1 && mean == 0);
     return done || remark(reader, NOTE_ILLUM, draft->illum_line, detail);
 }

@@ -10,6 +10,7 @@ enum { MTL_DETAIL = 128 };
 /* What is known of a material only when all its lines are read. */
 typedef struct MtlDraft {
     bool has_diffuse;
+    unsigned given;           /* bit i: the i-th key of watch_repeats */
     char picture[MTL_DETAIL]; /* map_Kd; empty: none */
     long picture_line;
     int illum; /* -1: none was given */

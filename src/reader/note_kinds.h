@@ -17,6 +17,8 @@ typedef enum NoteName {
     NOTE_LIBRARY_RENAMED,
     NOTE_MATERIAL_MISSING,
     NOTE_MATERIAL_TWICE, /* of a library, as the rest */
+    NOTE_MATERIAL_UNREAD,
+    NOTE_VALUE_TWICE,
     NOTE_MIRROR,
     NOTE_ILLUM,
     NOTE_OPACITY,
@@ -25,7 +27,8 @@ typedef enum NoteName {
     NOTE_PICTURE_ONLY,
     NOTE_PHYSICAL,
     NOTE_AMBIENT_WHITE,
-    NOTE_NO_AREA, /* of a face, as the rest */
+    NOTE_BENT, /* of a face, as the rest */
+    NOTE_NO_AREA,
     NOTE_REPEATED,
     NOTE_FOLDED,
     NOTE_TOO_SMALL,

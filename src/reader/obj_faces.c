@@ -4,6 +4,7 @@
 #include "base/array.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 
 /* --- References --- */
@@ -41,14 +42,15 @@ static bool fail_reference(LineScan *scan, long line)
 static inline bool read_reference(LineScan *scan, int defined, long line, int *index)
 {
     long long number;
-    char *end = cut_integer(scan->at, &number);
+    char *after = cut_integer(scan->at, &number), *end = after;
     if (!end || number == 0)
         return fail_reference(scan, line);
     end = skip_index(skip_index(end));
     if (!scan_word_ends(end))
         return fail_reference(scan, line);
     if (number < -defined || number > INT_MAX)
-        return scan_fail(scan, line, "vertex %lld does not exist; %d are defined above this line", number, defined);
+        return scan_fail(scan, line, "vertex %.*s does not exist; %d are defined above this line",
+                         (int)fmin((double)(after - scan->at), 40), scan->at, defined);
     *index = (int)(number > 0 ? number - 1 : defined + number);
     scan->at = end;
     scan_blanks(scan);

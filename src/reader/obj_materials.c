@@ -37,6 +37,11 @@ static int use_library_material(ObjMaterials *materials, MtlMaterial *found)
     Notes *notes = &build->scene->notes;
     if (found->used_as >= 0)
         return found->used_as;
+    if (found->fault) {
+        error_set(build->error, ERROR_INPUT, "%s:%ld: mtllib: %s:%ld: %s", materials->path, found->named_at,
+                  found->path, found->fault_line, found->fault);
+        return -1;
+    }
     if (!mtl_library_tell(&materials->library, found, notes, build->error))
         return -1;
     Quoted name = text_quote(found->material.name);
@@ -92,8 +97,11 @@ static bool add_library(ObjMaterials *materials, LibraryName *name, long line)
     }
     if (!name->as_written && !note(materials, NOTE_LIBRARY_RENAMED, line, text_quote(name->path).text))
         return false;
+    int before = materials->library.count;
     bool good = scene_mtl_read(&materials->library, name->path, &materials->build->scene->notes, &reason);
     name->path = NULL;
+    for (int i = before; i < materials->library.count; i++)
+        materials->library.items[i].named_at = line;
     if (good)
         return true;
     return reason.kind == ERROR_INPUT ? fail(materials, line, "mtllib: ", reason.text)
@@ -105,13 +113,27 @@ bool obj_materials_add(ObjMaterials *materials, char *names, long line)
     Error *error = materials->build->error;
     LibraryName name;
     if (!*names)
-        return fail(materials, line, "mtllib without a file", "");
+        return note(materials, NOTE_LIBRARY_MISSING, line, "mtllib without a file");
     bool good = true;
     while (good && library_name_next(&name, materials->path, &names, error)) {
         good = add_library(materials, &name, line);
         library_name_free(&name);
     }
     return good && error->kind == ERROR_NONE;
+}
+
+/* Tells what cannot be read of materials that no face has. */
+static bool tell_faults(ObjMaterials *materials)
+{
+    SceneBuild *build = materials->build;
+    for (int i = 0; i < materials->library.count; i++) {
+        const MtlMaterial *material = &materials->library.items[i];
+        NotePlace place = {.line = material->fault_line, .detail = material->fault};
+        if (material->fault && material->used_as < 0 &&
+            !scene_build_note(build, NOTE_MATERIAL_UNREAD, material->path, place))
+            return false;
+    }
+    return true;
 }
 
 bool obj_materials_find_late(ObjMaterials *materials)
@@ -124,7 +146,7 @@ bool obj_materials_find_late(ObjMaterials *materials)
             !note(materials, NOTE_MATERIAL_MISSING, late->line, text_quote(late->name).text))
             return false;
     }
-    return true;
+    return tell_faults(materials);
 }
 
 int obj_materials_of_face(const ObjMaterials *materials, int material, long line)

@@ -126,6 +126,20 @@ bool scene_build_note(SceneBuild *build, NoteName name, const char *path, NotePl
     return notes_add(&build->scene->notes, &note_kinds[name], path, place, build->error);
 }
 
+bool scene_build_fail_empty(SceneBuild *build, const char *path, const char *reason)
+{
+    char instead[512] = "";
+    const Notes *notes = &build->scene->notes;
+    for (int i = 0; i < notes->count; i++) {
+        const Note *note = &notes->items[i];
+        size_t length = strlen(instead);
+        if (strcmp(note->path, path) == 0 && note->kind != &note_kinds[NOTE_LIBRARY_MISSING])
+            snprintf(instead + length, sizeof instead - length, "%s%.200s", length ? ", " : "; ",
+                     note_summary(note).text);
+    }
+    return error_set(build->error, ERROR_INPUT, "%s: %s%s", path, reason, instead);
+}
+
 bool scene_build_model(SceneBuild *build, const char *path)
 {
     SceneBuildModel *grown =

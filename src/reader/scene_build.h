@@ -20,9 +20,10 @@ typedef struct SceneBuildObject {
     Transform transform;
     int material; /* -1: none */
     bool one_sided;
-    bool split;    /* faces that are not planar are cut */
-    bool skip;     /* faces without area are left out, and points that repeat the one before */
-    bool mirrored; /* set by scene_build_object: the transform turns a right hand into a left one */
+    bool split;      /* faces that are not planar are cut, */
+    bool tell_split; /* with a note */
+    bool skip;       /* faces without area are left out, and points that repeat the one before */
+    bool mirrored;   /* set by scene_build_object: the transform turns a right hand into a left one */
     int first_point;
     int first_number; /* how the file counts its vertices: from 0, an OBJ from 1 */
 } SceneBuildObject;
@@ -108,6 +109,9 @@ bool scene_build_box(SceneBuild *build, Vec3 low, Vec3 high);
 
 /* Adds a note on a file, at a place. */
 bool scene_build_note(SceneBuild *build, NoteName name, const char *path, NotePlace place);
+
+/* "PATH: REASON", and what the notes say that the file holds instead of faces. Returns false. */
+bool scene_build_fail_empty(SceneBuild *build, const char *path, const char *reason);
 
 /* Adds a note on a face. */
 bool scene_build_note_face(SceneBuild *build, NoteName name, int object, int place);

@@ -4,6 +4,7 @@
 #include "base/array.h"
 #include "reader/mtl_line.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,13 +14,15 @@ static bool begin_material(MtlReader *reader)
     Error *error = reader->scan.error;
     long line = reader->scan.line;
     const char *name = scan_rest(&reader->scan);
-    if (!*name)
-        return scan_fail(&reader->scan, line, "newmtl without a name");
     if (!mtl_finish_material(reader))
         return false;
     reader->draft = (MtlDraft){.illum = -1, .opaque = -1, .transparent = -1};
     reader->begun = true;
     reader->now = &reader->dropped;
+    if (!*name) {
+        NotePlace place = {.line = line, .detail = "newmtl without a name"};
+        return notes_add(reader->notes, &note_kinds[NOTE_UNKNOWN], reader->scan.path, place, error);
+    }
     if (names_find(&library->names, name) >= 0) {
         Quoted quoted = text_quote(name);
         NotePlace place = {.line = line, .detail = quoted.text};
@@ -27,6 +30,29 @@ static bool begin_material(MtlReader *reader)
     }
     reader->now = mtl_library_add(library, name, reader->scan.path, error);
     return reader->now != NULL;
+}
+
+/* What cannot be read stops only a model that uses the material. */
+static bool read_value(MtlReader *reader, ScanWord key)
+{
+    LineScan *scan = &reader->scan;
+    Error *error = scan->error, reason = {.kind = ERROR_NONE};
+    MtlMaterial *now = reader->now;
+    long line = scan->line;
+    scan->error = &reason;
+    scan->bare = true;
+    bool good = mtl_read_key(reader, key);
+    scan->error = error;
+    scan->bare = false;
+    if (good)
+        return true;
+    if (reason.kind != ERROR_INPUT)
+        return error_set(error, reason.kind, "%s", reason.text);
+    if (now != &reader->dropped && !now->fault) {
+        now->fault = text_copy(reason.text, error);
+        now->fault_line = line;
+    }
+    return (now == &reader->dropped || now->fault) && scan_next_line(scan);
 }
 
 /* Reads a line, and goes to the next one. */
@@ -41,10 +67,10 @@ static bool read_line(void *user)
         return scan_next_line(scan);
     if (scan_word_is(key, "newmtl"))
         return begin_material(reader);
-    bool is_meant = key.text[0] == 'K' || scan_word_is(key, "Ns");
+    bool is_meant = tolower((unsigned char)key.text[0]) == 'k' || scan_word_is(key, "Ns");
     if (is_meant && !reader->begun)
         return scan_fail(scan, line, "%.*s before the first newmtl", key.length, key.text);
-    return mtl_read_key(reader, key);
+    return read_value(reader, key);
 }
 
 static bool read_file(MtlLibrary *library, const char *path, Notes *notes, Error *error)

@@ -69,6 +69,10 @@ static bool leave_out(ObjReader *reader, ScanWord key, long line)
 static bool read_key(ObjReader *reader, ScanWord key, long line)
 {
     LineScan *scan = &reader->scan;
+    if (scan_word_is(key, "v")) /* in capitals, as the next */
+        return read_vertex(reader);
+    if (scan_word_is(key, "f"))
+        return obj_faces_read(&reader->faces, scan);
     if (scan_word_is(key, "usemtl"))
         return obj_materials_use(&reader->materials, scan_rest(scan), line);
     if (scan_word_is(key, "mtllib"))
@@ -113,7 +117,7 @@ bool scene_obj_read(SceneBuild *build, const char *path)
     bool good = scene_build_model(build, path) && scan_file(&reader.scan, read_line, &reader) &&
                 obj_faces_finish(&reader.faces, &reader.scan);
     if (good && reader.faces.count == 0)
-        good = error_set(build->error, ERROR_INPUT, "%s: holds no face", path);
+        good = scene_build_fail_empty(build, path, "holds no face");
     if (good && reader.colours.count > 0)
         good = scene_build_note(build, NOTE_VERTEX_COLOURS, path, reader.colours);
     scene_build_end_parts(build);

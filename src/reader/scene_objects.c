@@ -3,8 +3,7 @@
 
 #include "base/suggest.h"
 #include "base/text.h"
-#include "reader/model_library.h"
-#include "reader/scene_model.h"
+#include "reader/object_model.h"
 #include "reader/scene_transform.h"
 #include "json/json_read.h"
 
@@ -121,64 +120,15 @@ static bool read_box(const Json *json, const cJSON *item, SceneBuild *build)
     return scene_build_box(build, low, high) || fail_build(json, item, build);
 }
 
-/* An object without a name of its own, whose parts have names: the name of the model's file. False without memory. */
-static bool name_after_file(SceneBuild *build, const char *path)
-{
-    Object *object = &build->scene->objects[build->scene->object_count - 1];
-    const char *slash = strrchr(path, '/');
-    char *name = text_copy(slash ? slash + 1 : path, build->error);
-    if (!name)
-        return false;
-    free(object->name);
-    object->name = name;
-    return true;
-}
-
-/* A path that cannot be read, with one that can, where the name was written on Windows or in another case. */
-static bool fail_path(const Json *json, const cJSON *item, const char *reason)
-{
-    bool as_written;
-    char *path = library_path(json->name, item->valuestring, &as_written, json->error);
-    const char *name = path ? path + strlen(path) - strlen(item->valuestring) : "";
-    if (path && !as_written)
-        json_fail(json, item, "%s; did you mean %s?", reason, text_quote(name).text);
-    else
-        json_fail(json, item, "%s%s", reason, strchr(item->valuestring, '\\') ? "; write / for each \\" : "");
-    free(path);
-    return false;
-}
-
-/* A model's own faults say their line; that there is no such file is told at the place that names it. */
-static bool read_obj(const Json *json, const cJSON *item, bool is_named, SceneBuild *build)
-{
-    const char *name = NULL;
-    if (!json_string(json, item, &name))
-        return false;
-    if (!*name)
-        return json_fail(json, item, "must be the name of a file, not \"\"");
-    char *path = text_beside(json->name, name, json->error);
-    if (!path)
-        return false;
-    Error reason = {.kind = ERROR_NONE};
-    bool good = text_check(path, &reason);
-    if (good)
-        good = scene_model_read(build, path) &&
-               (is_named || build->scene->part_count == build->first_part || name_after_file(build, path));
-    else if (reason.kind == ERROR_INPUT)
-        fail_path(json, item, reason.text);
-    else
-        error_set(json->error, reason.kind, "%s", reason.text);
-    free(path);
-    return good;
-}
-
 enum { NAME, MATERIAL, VERTICES, FACES, BOX, OBJ, TRANSFORM, NONPLANAR, DEGENERATE, SIDED, OBJECT_KEYS };
 
 static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *build, SceneBuildObject *object)
 {
     static const char *const nonplanar[] = {"error", "split"}, *const degenerate[] = {"error", "skip"};
     static const char *const sided[] = {"both", "front"};
-    int split = 0, skip = keys[OBJ].item != NULL, front = 0; /* of models nobody looks at every face */
+    int is_model = keys[OBJ].item != NULL, split = is_model,
+        skip = is_model; /* nobody looks at every face of a model */
+    int front = 0;
     object->material = -1;
     if (keys[MATERIAL].item && !find_material(json, keys[MATERIAL].item, build, &object->material))
         return false;
@@ -189,6 +139,7 @@ static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *
     if (keys[SIDED].item && !json_choice(json, keys[SIDED].item, sided, 2, &front))
         return false;
     object->split = split == 1;
+    object->tell_split = split && !keys[NONPLANAR].item;
     object->skip = skip == 1;
     object->one_sided = front == 1;
     return scene_transform_read(json, keys[TRANSFORM].item, &object->transform);
@@ -227,7 +178,7 @@ static bool read_object(const Json *json, const cJSON *item, int index, SceneBui
 {
     JsonMember keys[OBJECT_KEYS];
     memcpy(keys, object_keys, sizeof keys);
-    if (!json_members(json, item, keys, OBJECT_KEYS))
+    if (!object_model_check_keys(json, item) || !json_members(json, item, keys, OBJECT_KEYS))
         return false;
     bool mesh = keys[VERTICES].item || keys[FACES].item;
     if (mesh + (keys[BOX].item != NULL) + (keys[OBJ].item != NULL) != 1)
@@ -239,7 +190,7 @@ static bool read_object(const Json *json, const cJSON *item, int index, SceneBui
     if (mesh)
         return read_faces(json, keys[VERTICES].item, keys[FACES].item, build);
     return keys[BOX].item ? read_box(json, keys[BOX].item, build)
-                          : read_obj(json, keys[OBJ].item, keys[NAME].item, build);
+                          : object_model_read(json, keys[OBJ].item, keys[NAME].item, build);
 }
 
 bool scene_objects_begin(const Json *json, int index, bool is_model, SceneBuild *build)
@@ -248,7 +199,7 @@ bool scene_objects_begin(const Json *json, int index, bool is_model, SceneBuild 
     memcpy(keys, object_keys, sizeof keys);
     return json_members(json, json->root, keys, OBJECT_KEYS) && !keys[VERTICES].item && !keys[FACES].item &&
            !keys[BOX].item && (keys[OBJ].item != NULL) == is_model && begin_object(json, keys, index, build) &&
-           (!is_model || read_obj(json, keys[OBJ].item, keys[NAME].item, build));
+           (!is_model || object_model_read(json, keys[OBJ].item, keys[NAME].item, build));
 }
 
 bool scene_objects_read(const Json *json, const cJSON *objects, SceneBuild *build)

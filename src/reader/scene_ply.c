@@ -245,8 +245,7 @@ static bool read_file(PlyReader *ply)
                 return false;
     }
     if (ply->build->next_number == before)
-        return error_set(ply->build->error, ERROR_INPUT, "%s: this PLY file holds no face (a list vertex_indices)",
-                         ply->path);
+        return scene_build_fail_empty(ply->build, ply->path, "this PLY file holds no face (a list vertex_indices)");
     return note_the_rest(ply);
 }
 

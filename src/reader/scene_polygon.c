@@ -143,6 +143,8 @@ bool scene_polygon_cut(SceneBuild *build, const int *vertices, int count, int pl
         return fail_not_planar(build, left);
     if (cut->verdict == POLYGON_CROSSED)
         return fail_crossed(build, left);
+    if (cut->is_bent && build->object.tell_split && !note(build, NOTE_BENT, place))
+        return false;
     bool folds = cut->ring.fold >= 0;
     if (folds && !skip)
         return fail(build, "the face turns back along its own edge at vertex %d", number_at(build, cut->ring.fold));

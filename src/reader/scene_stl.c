@@ -51,12 +51,6 @@ static bool read_vertex(StlText *stl, long line)
                : scan_fail(&stl->scan, line, "%s", stl->build->reason);
 }
 
-/* Some programs write capitals. */
-static bool is_word(ScanWord key, const char *name)
-{
-    return key.length == (int)strlen(name) && strncasecmp(key.text, name, strlen(name)) == 0;
-}
-
 static bool read_line(void *user)
 {
     static const char *const others[] = {"", "facet", "outer", "endloop", "endsolid"};
@@ -64,18 +58,18 @@ static bool read_line(void *user)
     scan_blanks(&stl->scan);
     long line = stl->scan.line;
     ScanWord key = scan_word(&stl->scan);
-    if (is_word(key, "vertex"))
+    if (scan_word_is(key, "vertex"))
         return read_vertex(stl, line);
-    if (is_word(key, "solid"))
+    if (scan_word_is(key, "solid"))
         return scene_build_part(stl->build, scan_rest(&stl->scan));
-    if (is_word(key, "endfacet")) {
+    if (scan_word_is(key, "endfacet")) {
         if (stl->vertices != 3)
             return scan_fail(&stl->scan, line, "a facet of %d vertices; it needs 3", stl->vertices);
         stl->vertices = 0;
         return scan_next_line(&stl->scan);
     }
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-        if (is_word(key, others[i]))
+        if (scan_word_is(key, others[i]))
             return scan_next_line(&stl->scan);
     return scan_fail(&stl->scan, line, "%s is no word of STL (solid, facet, vertex, ...)", scan_quote(key).text);
 }
@@ -110,5 +104,5 @@ bool scene_stl_read(SceneBuild *build, const char *path, bool is_binary)
         !(is_binary ? read_binary(build, path) : scan_file(&stl.scan, read_line, &stl)))
         return false;
     scene_build_end_parts(build);
-    return build->next_number > before || error_set(build->error, ERROR_INPUT, "%s: holds no face", path);
+    return build->next_number > before || scene_build_fail_empty(build, path, "holds no face");
 }

@@ -233,8 +233,8 @@ static PolygonVerdict verdict_on(PolygonCut *cut, int exponent, bool bent)
         return POLYGON_NO_AREA;
     flatten(ring, normal);
     int first, second;
-    bool planar = is_planar(cut, exponent);
-    if (!planar && !bent && !no_area)
+    cut->is_bent = !is_planar(cut, exponent);
+    if (cut->is_bent && !bent && !no_area)
         return POLYGON_NOT_PLANAR;
     if (polygon_ring_crosses(ring, &first, &second))
         return crossed(cut, first, second);
@@ -253,6 +253,7 @@ bool polygon_cut(PolygonCut *cut, const Vec3 *vertices, int count, bool bent, Er
     *ring =
         (PolygonRing){.count = count, .left = count, .fold = -1, .vertices = ring->vertices, .pieces = ring->pieces};
     cut->verdict = POLYGON_GOOD;
+    cut->is_bent = false;
     if (!cut_as_it_is(ring, vertices, count))
         cut->verdict = verdict_on(cut, begin_ring(ring, vertices, count), bent);
     if (cut->verdict)

@@ -21,6 +21,7 @@ typedef enum PolygonVerdict {
 /* Keeps its memory from one polygon to the next; begins zeroed. */
 typedef struct PolygonCut {
     PolygonVerdict verdict;
+    bool is_bent; /* it was not planar */
     int first, second;
     double distance, size;
     PolygonRing ring; /* its pieces are the answer; none unless the verdict is good */
