@@ -4,11 +4,14 @@ import math
 import os
 import random
 import re
+import shutil
 import signal
+import subprocess
+import sys
 import time
 import unittest
 
-from support.program import SCENE, CommandTest
+from support.program import SCENE, CommandTest, png_pixels
 
 KEYS = [{"frame": 0, "position": [1000.5, 0.5, 1]}, {"frame": 4, "position": [1000.5, 0.7, 2]},
         {"frame": 6, "position": [1000.9, 0.5, 1.5]}]
@@ -263,6 +266,101 @@ class Resume(Films):
         process.communicate()
         self.assertEqual(process.returncode, 0)
         self.assertIn("large.png", self.files())
+
+
+# Stands in for ffmpeg: the film is a line of its arguments, and then the bytes of the pipe.
+STAND_IN = """#!%s
+import json, sys
+with open(sys.argv[-1].removeprefix("file:"), "wb") as film:
+    film.write(json.dumps(sys.argv[1:]).encode() + b"\\n" + sys.stdin.buffer.read())
+""" % sys.executable
+
+
+class Film(Films):
+    def setUp(self):
+        super().setUp()
+        os.mkdir(self.path("bin"))
+
+    def with_ffmpeg(self, text):
+        """The environment in which that is ffmpeg."""
+        self.put("bin/ffmpeg", text)
+        os.chmod(self.path("bin/ffmpeg"), 0o755)
+        return {**os.environ, "PATH": self.path("bin")}
+
+    def film(self, *words, **options):
+        return self.run_program("render", "moving.json", "-b", "reference", *words, **options)
+
+    def files_of_film(self):
+        return [name for name in self.files() if name.startswith(".") or name.startswith("film")]
+
+    def test_raw_frames_go_through_the_pipe(self):
+        environment = self.with_ffmpeg(STAND_IN)
+        self.render_frames("1-4", "-o", "f%d.png", "--size", "16x12")
+        pixels = b"".join(bytes(pixel) for k in range(1, 5) for row in png_pixels(self.bytes_of(f"f{k}.png"))
+                          for pixel in row)
+        for ending in ("mp4", "webm", "gif", "MP4"):
+            _, err = self.film("--frames", "1-4", "-o", f"film.{ending}", "--size", "16x12", env=environment)
+            self.assertRegex(err, rf"^film.{ending}: 4 frames of 16 x 12 pixels in .* s\n$")
+            arguments, data = self.bytes_of(f"film.{ending}").split(b"\n", 1)
+            self.assertTrue(data == pixels, ending)
+            words = " ".join(json.loads(arguments))
+            self.assertIn("-f rawvideo -pixel_format rgb24 -video_size 16x12 -framerate 30 -i pipe:0 ", words)
+            self.assertIn(f" -f {ending.lower()} file:/dev/fd/3", words)
+        self.assertEqual([name for name in self.files() if name.startswith(".")], [])
+
+    def test_all_frames_at_the_scene_s_pace(self):
+        self.film("-o", "film.gif", "--set", "animation.fps=29.97", env=self.with_ffmpeg(STAND_IN))
+        arguments, data = self.bytes_of("film.gif").split(b"\n", 1)
+        self.assertEqual(len(data), 8 * 8 * 6 * 3)
+        self.assertIn('"-framerate", "29.97"', arguments.decode())
+
+    def test_without_ffmpeg(self):
+        _, err = self.film("-o", "film.mp4", env={**os.environ, "PATH": self.path("bin")}, status=3)
+        self.assertRegex(err, "^rectray: ffmpeg is not installed, which makes the film film.mp4; install it, or render")
+        self.assertEqual(self.files_of_film(), [])
+
+    def test_a_failure_of_ffmpeg_is_told_and_the_film_stays_as_it_was(self):
+        self.put("film.mp4", "before")
+        shell = "#!/bin/sh\necho 'no such encoder' >&2\n"
+        for rest in ("exit 3", "read -r line\nexit 4", "while read -r line; do :; done\nexit 5"):
+            _, err = self.film("-o", "film.mp4", "--size", "400x300", env=self.with_ffmpeg(shell + rest), status=3)
+            self.assertEqual(err, "rectray: ffmpeg could not make the film film.mp4: no such encoder\n")
+            self.assertEqual(self.files_of_film(), ["film.mp4"])
+            self.assertEqual(self.bytes_of("film.mp4"), b"before")
+
+    def test_a_fault_of_a_frame_ends_the_film(self):
+        moving = self.moving(camera=[{"frame": 0, "position": [1000.5, 0.5, 1]},
+                                     {"frame": 2, "position": [1000.5, 0.5, -1]}])
+        self.put("moving.json", json.dumps(moving))
+        _, err = self.film("-o", "film.mp4", env=self.with_ffmpeg(STAND_IN), status=1)
+        self.assertIn("\nread as frame 1\n", err)
+        self.assertEqual(self.files_of_film(), [])
+
+    def test_a_film_that_is_stopped_is_not_there(self):
+        words = ["render", "moving.json", "-b", "reference", "-o", "film.mp4", "--size", "900x600", "-g", "4"]
+        process = self.start(*words, env=self.with_ffmpeg(STAND_IN))
+        while not self.files_of_film() and process.poll() is None:
+            time.sleep(0.01)
+        process.terminate()
+        process.communicate()
+        self.assertEqual(process.returncode, 128 + signal.SIGTERM)
+        time.sleep(0.3) # the stand-in comes to its end
+        self.assertEqual(self.files_of_film(), [])
+
+    def test_options_that_a_film_has_not(self):
+        for words in (["--resume"], ["--depth", "16"], ["--format", "ppm"]):
+            self.assertIn(words[0], self.film("-o", "film.mp4", *words, status=2)[1])
+        _, err = self.run_program("render", "scene.json", "-o", "film.mp4", status=2)
+        self.assertEqual(err, 'rectray: there are no frames: scene.json has no "animation"\n')
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+    def test_ffmpeg_makes_films_of_the_frames(self):
+        for ending in ("mp4", "gif"):
+            self.film("-o", f"film.{ending}", "--size", "30x20")
+            decode = f"ffmpeg -loglevel error -i film.{ending} -f rawvideo -pix_fmt rgb24 -"
+            raw = subprocess.run(decode.split(), cwd=self.folder, check=True, stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.PIPE)
+            self.assertEqual(len(raw.stdout), 8 * 30 * 20 * 3, ending)
 
 
 if __name__ == "__main__":

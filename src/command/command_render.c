@@ -131,7 +131,7 @@ static bool trace(const Options *options, Scene *scene, Painter *painter, Render
     settings.precision = precision_of(options);
     settings.linear = painter->linear;
     settings.notice = (Notice){show_notice, tell_foreseen, painter};
-    if (options->map_count == 0 && !options->frames_given) /* maps, and other frames, are made of the scene, too */
+    if (options->map_count == 0 && !render_frames_wanted(options)) /* maps, and more frames, are made of the scene */
         settings.spent = (Spent){free_planes, scene};
     bool done = backend_render(options->backend, scene, &settings, sink, report, error);
     progress_end(&painter->progress);
@@ -301,7 +301,7 @@ bool command_render(const Options *options, Error *error)
 {
     if (options->stage)
         return print_stage(options->operands[0], error);
-    if (options->frames_given)
+    if (render_frames_wanted(options))
         return render_frames(options, render, error);
     if (options->resume)
         return error_set(error, ERROR_USAGE, "--resume goes on with frames; say which with --frames");

@@ -7,6 +7,7 @@
 #include "command/frame_names.h"
 #include "command/scene_open.h"
 #include "command/scene_override.h"
+#include "picture/film.h"
 #include "picture/image_whole.h"
 
 #include <stdlib.h>
@@ -17,7 +18,8 @@ typedef struct Frames {
     const Options *options;
     RenderFrame render;
     OpenFilm opened;
-    char *pattern;
+    char *pattern; /* NULL: they become a film */
+    Film *film;
     int first, last;
     Scene scene; /* of the frame that was rendered last */
     int rendered, skipped;
@@ -62,9 +64,20 @@ static char *default_pattern(const char *scene_path, Error *error)
     return pattern;
 }
 
-static bool choose_pattern(Frames *frames, Error *error)
+static bool check_film(const Options *options, Error *error)
+{
+    if (options->resume)
+        return error_set(error, ERROR_USAGE, "--resume needs a file for each frame, such as -o 'frame-%%04d.png'");
+    return (options->depth == 0 && options->picture_format < 0) ||
+           error_set(error, ERROR_USAGE, "--format and --depth are of pictures; a film has 8 bits");
+}
+
+/* A film, or names for the frames. */
+static bool choose_output(Frames *frames, Error *error)
 {
     const char *output = frames->options->output, *scene = frames->options->operands[0];
+    if (output && film_is(output))
+        return check_film(frames->options, error);
     if (!output && text_is_stream(scene))
         return error_set(error, ERROR_USAGE,
                          "a scene that comes through a pipe has no name for its frames; give -o 'frame-%%04d.png'");
@@ -76,7 +89,9 @@ static bool choose_frames(Frames *frames, Error *error)
 {
     int count = frames->opened.film.animation.frames;
     frames->first = frames->options->first_frame;
-    frames->last = frames->options->last_frame < 0 ? count - 1 : frames->options->last_frame;
+    frames->last = frames->options->last_frame;
+    if (!frames->options->frames_given || frames->last < 0)
+        frames->last = count - 1;
     return frames->last < count || error_set(error, ERROR_USAGE, "there is no frame %d: those of %s are 0 to %d",
                                              frames->last, frames->options->operands[0], count - 1);
 }
@@ -111,20 +126,36 @@ static bool read_frame(Frames *frames, int frame, Error *error)
     return !first || scene_open_tell(&frames->scene.notes, frames->options, false, error);
 }
 
-static bool render_frame(Frames *frames, int frame, Error *error)
+/* Into a file of its own. */
+static bool write_picture(Frames *frames, int frame, Error *error)
 {
-    const Options *options = frames->options;
     Stats stats = {.total_ms = 0};
     char *name = frame_name(frames->pattern, frame, error);
-    bool done = name && read_frame(frames, frame, error);
-    if (done && options->resume && is_there(frames, name)) {
+    bool done = name != NULL;
+    if (done && frames->options->resume && is_there(frames, name)) {
         frames->skipped++;
     } else if (done) {
-        done = spare_scene(frames, name, error) && frames->render(options, &frames->scene, name, &stats, error);
+        done = spare_scene(frames, name, error) && frames->render(frames->options, &frames->scene, name, &stats, error);
         frames->rendered++;
     }
     free(name);
     return done;
+}
+
+/* Into the film, which is opened when its size is known. */
+static bool write_film(Frames *frames, Error *error)
+{
+    const Options *options = frames->options;
+    const Screen *screen = &frames->scene.screen;
+    Options own = *options;
+    Stats stats = {.total_ms = 0};
+    own.picture_format = IMAGE_RAW;
+    own.quiet = own.quiet || frames->rendered > 0;
+    if (!frames->film && spare_scene(frames, options->output, error))
+        frames->film =
+            film_open(options->output, screen->columns, screen->rows, frames->opened.film.animation.fps, error);
+    frames->rendered++;
+    return frames->film && frames->render(&own, &frames->scene, film_pipe(frames->film), &stats, error);
 }
 
 static void tell(const Frames *frames, double ms)
@@ -132,32 +163,60 @@ static void tell(const Frames *frames, double ms)
     const Screen *screen = &frames->scene.screen;
     if (frames->options->quiet)
         return;
-    fprintf(stderr, "%s: %d frame%s of %d x %d pixels in %.2f s", frames->pattern, frames->rendered,
+    fprintf(stderr, "%s: %d frame%s of %d x %d pixels in %.2f s",
+            frames->pattern ? frames->pattern : frames->options->output, frames->rendered,
             frames->rendered == 1 ? "" : "s", screen->columns, screen->rows, ms / 1e3);
     if (frames->options->resume)
         fprintf(stderr, "; %d were there", frames->skipped);
     fputc('\n', stderr);
 }
 
+static void sweep(const Frames *frames)
+{
+    const char *number = strchr(frames->pattern, '%');
+    if (!strchr(number, '/')) /* all frames are in one folder */
+        output_sweep(frames->pattern);
+}
+
+/* The film, where there is one, gets its name; after a fault of ffmpeg itself, that is what is told. */
+static bool finish(Frames *frames, bool done, Error *reason, Error *error)
+{
+    if (done && (!frames->film || film_commit(frames->film, error)))
+        return true;
+    if (done)
+        return false;
+    bool pipe_is_broken = frames->film && strstr(reason->text, film_pipe(frames->film));
+    film_abort(frames->film, pipe_is_broken, error);
+    return error_set(error, reason->kind, "%s", reason->text);
+}
+
 static bool render_all(Frames *frames, Error *error)
 {
-    options_note_unused(frames->options);
     double start = clock_ms();
-    const char *number = strchr(frames->pattern, '%');
-    if (frames->options->resume && !strchr(number, '/')) /* all frames are in one folder */
-        output_sweep(frames->pattern);
-    for (int frame = frames->first; frame <= frames->last; frame++)
-        if (!render_frame(frames, frame, error))
-            return false;
+    Error reason = {.kind = ERROR_NONE};
+    bool done = true;
+    options_note_unused(frames->options);
+    if (frames->options->resume)
+        sweep(frames);
+    for (int frame = frames->first; frame <= frames->last && done; frame++)
+        done = read_frame(frames, frame, &reason) &&
+               (frames->pattern ? write_picture(frames, frame, &reason) : write_film(frames, &reason));
+    if (!finish(frames, done, &reason, error))
+        return false;
     tell(frames, clock_ms() - start);
     return true;
+}
+
+bool render_frames_wanted(const Options *options)
+{
+    return options->frames_given || (options->output && film_is(options->output));
 }
 
 bool render_frames(const Options *options, RenderFrame render, Error *error)
 {
     Frames frames = {.options = options, .render = render};
     bool done = check_options(options, error) && options_agree(options, error) &&
-                scene_open_film(&frames.opened, options, error) && choose_pattern(&frames, error) &&
+                scene_open_film(&frames.opened, options, error) && choose_output(&frames, error) &&
                 choose_frames(&frames, error) && render_all(&frames, error);
     scene_free(&frames.scene);
     scene_close_film(&frames.opened);

@@ -9,9 +9,12 @@
 /* Renders a scene into the file `output`. */
 typedef bool (*RenderFrame)(const Options *options, Scene *scene, const char *output, Stats *stats, Error *error);
 
-/* Renders the frames that --frames asks for, in their order. With --resume those whose pictures are there are left
- * out. Errors: options that make no sense with several frames; a pattern that does not name a file for each; those of
- * the scene, and of `render`. */
+/* Whether several frames are wanted: --frames, or a film as the output. */
+bool render_frames_wanted(const Options *options);
+
+/* Renders the frames that --frames asks for, or all, in their order: each to its file, or all to one film. With
+ * --resume those whose pictures are there are left out. Errors: options that make no sense with several frames; a
+ * pattern that does not name a file for each; those of the scene, of `render` and of the film. */
 bool render_frames(const Options *options, RenderFrame render, Error *error);
 
 #endif

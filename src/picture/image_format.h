@@ -9,6 +9,7 @@ typedef enum ImageFormat {
     IMAGE_PNG, /* 8 or 16 bits a channel, compressed */
     IMAGE_PPM, /* Netpbm's P6: 8 or 16 bits a channel, as they are */
     IMAGE_PFM, /* portable float map: linear colours, 32-bit float, not clamped */
+    IMAGE_RAW, /* 8 bits a channel and nothing else, for a pipe; no file's ending and no user names it */
 } ImageFormat;
 
 /* Their endings and what users call them; the list ends in a NULL. */

@@ -31,7 +31,7 @@ static bool begin(ImageWriter *writer, Error *error)
         writer->png = png_writer_open(&writer->output, writer->columns, writer->rows_left, writer->kind.depth, error);
         return writer->png != NULL;
     }
-    return writer->kind.format == IMAGE_PFM ||
+    return writer->kind.format == IMAGE_PFM || writer->kind.format == IMAGE_RAW ||
            fprintf(writer->output.file, "P6\n%d %d\n%d\n", writer->columns, writer->rows_left, largest) > 0 ||
            cannot_write(writer, error);
 }
