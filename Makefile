@@ -1,7 +1,8 @@
 # Builds rectray, a teaching ray tracer. `make help` lists what can be made.
 #
 # This file is what a user needs. What stands beside it is included at its end: tests/tests.mk builds the suites,
-# .ci/care.mk has sanitizers, mutants, fuzzers and lint, tests/peers/peers.mk the programs that we measure against.
+# .ci/care.mk has sanitizers, mutants, fuzzers and lint, .ci/package.mk the archive and the Debian packages,
+# tests/peers/peers.mk the programs that we measure against.
 #
 # Everything built goes under $(BUILD). Variants (sanitizers, another compiler) are this same Makefile called
 # again with another BUILD and other flags: see `asan` and `clang` in .ci/care.mk.
@@ -117,7 +118,7 @@ $(BUILD)/src/%.o: src/%.c Makefile | $(FOUND)
 	$(Q)$(COMPILE) -c $< -o $@
 
 # `rectray --version` names the commit where there is one. Its object is made anew when that changes.
-VERSION := 0.1
+VERSION := $(shell sed -n 's/^.define RECTRAY_VERSION "\(.*\)"/\1/p' src/command/usage.h)
 COMMIT  := $(shell git describe --always --dirty --abbrev=10 2>/dev/null)
 $(BUILD)/src/command/usage.o: CPPFLAGS += -DRECTRAY_COMMIT='"$(COMMIT)"'
 $(BUILD)/src/command/usage.o: $(BUILD)/.commit-$(COMMIT)
@@ -157,8 +158,10 @@ trace: ## tell step by step how PIXEL (default 320,240) of SCENE gets its colour
 	@$(MAKE) $(ALL_CORES) $(PROGRAM)
 	$(PROGRAM) trace $(SCENE) --pixel $(PIXEL)
 
-SHARE := $(DESTDIR)$(PREFIX)/share
-MAN1  := $(SHARE)/man/man1
+LIBDIR ?= $(PREFIX)/lib
+LIB    := $(DESTDIR)$(LIBDIR)
+SHARE  := $(DESTDIR)$(PREFIX)/share
+MAN1   := $(SHARE)/man/man1
 COMMANDS = $(shell $(PROGRAM) help | sed -n 's/^  \([a-z]*\) .*/\1/p')
 
 .PHONY: install
@@ -166,13 +169,13 @@ install: $(PROGRAM) library ## install program, library, manual, scenes, kernels
 	install -d $(DESTDIR)$(PREFIX)/bin $(SHARE)/rectray $(SHARE)/doc/rectray $(MAN1) $(SHARE)/man/man5 \
 	    $(SHARE)/bash-completion/completions $(SHARE)/zsh/site-functions $(SHARE)/fish/vendor_completions.d
 	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/rectray
-	install -d $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/include
+	install -d $(LIB)/pkgconfig $(DESTDIR)$(PREFIX)/include
 	install -m 644 src/library/rectray.h $(DESTDIR)$(PREFIX)/include/
-	install -m 644 $(BUILD)/lib/librectray.a $(DESTDIR)$(PREFIX)/lib/
-	install -m 755 $(BUILD)/lib/librectray.so $(DESTDIR)$(PREFIX)/lib/librectray.so.$(API)
-	ln -sf librectray.so.$(API) $(DESTDIR)$(PREFIX)/lib/librectray.so
-	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|; s|@LIBS@|$(LIBS)|' src/library/rectray.pc.in \
-	    >$(DESTDIR)$(PREFIX)/lib/pkgconfig/rectray.pc
+	install -m 644 $(BUILD)/lib/librectray.a $(LIB)/
+	install -m 755 $(BUILD)/lib/librectray.so $(LIB)/librectray.so.$(API)
+	ln -sf librectray.so.$(API) $(LIB)/librectray.so
+	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@VERSION@|$(VERSION)|; s|@LIBS@|$(LIBS)|' \
+	    src/library/rectray.pc.in >$(LIB)/pkgconfig/rectray.pc
 	cp -R scenes kernels $(SHARE)/rectray/
 	cp -R README.md CONTRIBUTING.md LICENSE docs $(wildcard $(PAGE)) $(SHARE)/doc/rectray/
 	$(PROGRAM) help --as man >$(MAN1)/rectray.1
@@ -184,17 +187,11 @@ install: $(PROGRAM) library ## install program, library, manual, scenes, kernels
 
 .PHONY: uninstall
 uninstall: ## remove what install put there
-	rm -rf $(DESTDIR)$(PREFIX)/lib/librectray.* $(DESTDIR)$(PREFIX)/lib/pkgconfig/rectray.pc \
+	rm -rf $(LIB)/librectray.* $(LIB)/pkgconfig/rectray.pc \
 	    $(DESTDIR)$(PREFIX)/include/rectray.h $(DESTDIR)$(PREFIX)/bin/rectray $(SHARE)/rectray $(SHARE)/doc/rectray \
 	    $(MAN1)/rectray.1 $(MAN1)/rectray-*.1 \
 	    $(SHARE)/man/man5/rectray-scene.5 $(SHARE)/bash-completion/completions/rectray \
 	    $(SHARE)/zsh/site-functions/_rectray $(SHARE)/fish/vendor_completions.d/rectray.fish
-
-.PHONY: dist
-dist: ## make build/rectray-VERSION.tar.gz, the sources of the last commit
-	@mkdir -p $(BUILD)
-	git archive --prefix=rectray-$(VERSION)/ -o $(BUILD)/rectray-$(VERSION).tar.gz HEAD
-	@echo "The archive is $(abspath $(BUILD)/rectray-$(VERSION).tar.gz)"
 
 # --- Trying and measuring it ----------------------------------------------------------------------------------
 
@@ -233,7 +230,7 @@ bench: ## measure the ladder of scenes: tables here, plots in build/bench/ (many
 # --- The rest -------------------------------------------------------------------------------------------------
 
 PARTS := src/page/page.mk tests/tests.mk tests/exercises/exercises.mk tests/exercises/course.mk .ci/care.mk \
-    tests/peers/peers.mk
+    .ci/package.mk tests/peers/peers.mk
 include $(PARTS)
 
 .PHONY: clean

@@ -61,7 +61,7 @@ $(FUZZERS): $(BUILD)/fuzz_%: tests/fuzz/libfuzzer.c $(FUZZ_OBJECTS) $(LIBRARY)
 .PHONY: soak
 soak: ## hours of tests: the suites at length, lint, stress, mutants, random scenes, fuzz, oclgrind, valgrind, coverage
 	@RECTRAY_SOAK=1 $(MAKE) --no-print-directory test
-	@$(MAKE) --no-print-directory lint stress mutants oclgrind valgrind coverage
+	@$(MAKE) --no-print-directory lint stress mutants oclgrind valgrind coverage test-deb
 	@$(MAKE) --no-print-directory random-scenes COUNT=10000
 	@$(MAKE) --no-print-directory fuzz SECONDS=1800
 
