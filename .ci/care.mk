@@ -55,6 +55,15 @@ $(FUZZERS): $(BUILD)/fuzz_%: tests/fuzz/libfuzzer.c $(FUZZ_OBJECTS) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(COMPILE) -DTARGET=fuzz_$* -fsanitize=fuzzer $^ $(LDFLAGS) $(LIBS) -o $@
 
+# --- Editors ----------------------------------------------------------------------------------------------------
+
+# What VS Code, Neovim and Emacs run, for tests/editor_test.py: Node.js and 100 MB from npm, nothing outside build/.
+.PHONY: language-server
+language-server: build/language-server/node_modules ## install a JSON language server in build/: make test suite=editor
+
+build/language-server/node_modules:
+	npm install --prefix $(@D) --no-audit --no-fund --loglevel=error vscode-langservers-extracted@4.10.0
+
 # --- Every access watched, for a night ------------------------------------------------------------------------
 
 # What does not fit into .ci/run, for a night: the suites at length, and the programs that watch every access.
