@@ -6,7 +6,7 @@ import subprocess
 import threading
 import unittest
 
-from support.program import PROGRAM, SCENE, CommandTest
+from support.program import PROGRAM, SCENE, SOAK, CommandTest
 
 with open(PROGRAM, "rb") as file:
     SANITIZED = b"__asan_init" in file.read()
@@ -64,18 +64,40 @@ class Pipe(CommandTest):
             self.assertIn("more than once", self.run_program(*words, status=2)[1])
         self.assertIn("give --rays FILE", self.run_program("cast", "-", status=2)[1])
 
+    def check_within(self, source, memory):
+        """What check says of the scene on its standard input, with so many bytes of address space."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+        return subprocess.run([PROGRAM, "check", "-"], stdin=source, capture_output=True, text=True, preexec_fn=limit,
+                              check=False)
+
     @unittest.skipIf(SANITIZED, "a sanitizer's own address space is larger")
     def test_a_pipe_without_end_is_refused(self):
         """1 GiB is the limit; an address space of half of it makes the same point sooner."""
-        def limit():
-            resource.setrlimit(resource.RLIMIT_AS, (2 ** 29, 2 ** 29))
         source = subprocess.Popen(["yes", "[1,1],"], stdout=subprocess.PIPE)
-        process = subprocess.run([PROGRAM, "check", "-"], stdin=source.stdout, capture_output=True, text=True,
-                                 preexec_fn=limit, check=False)
+        process = self.check_within(source.stdout, 2 ** 29)
         source.stdout.close()
         source.wait()
         self.assertEqual(process.returncode, 3)
         self.assertIn("out of memory (<stdin>)", process.stderr)
+
+    @unittest.skipIf(SANITIZED, "as above")
+    def test_a_large_file_is_refused_unread(self):
+        self.put("large.json", "{}")
+        os.truncate(self.path("large.json"), 2 ** 31)
+        with open(self.path("large.json"), "rb") as source:
+            process = self.check_within(source, 2 ** 28)
+        self.assertEqual(process.returncode, 1)
+        self.assertEqual(process.stderr, "<stdin>: is too large: more than 1073741824 bytes\n")
+
+    @unittest.skipUnless(SOAK and not SANITIZED, "some ten seconds and 1 GiB of memory, in make soak")
+    def test_two_gibibytes_through_a_pipe_are_refused_at_one(self):
+        source = subprocess.Popen("yes '[1,1],' | head -c 2147483648", shell=True, stdout=subprocess.PIPE)
+        process = self.check_within(source.stdout, 2 ** 30 + 2 ** 28)
+        source.stdout.close()
+        source.wait()
+        self.assertEqual(process.returncode, 1)
+        self.assertEqual(process.stderr, "<stdin>: is too large: more than 1073741824 bytes\n")
 
 
 if __name__ == "__main__":

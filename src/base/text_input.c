@@ -4,26 +4,38 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
+
+/* Whether a file, redirected to standard input, tells that more is left of it: then none of it need be read. */
+static bool is_surely_larger(FILE *file, long limit)
+{
+    struct stat status;
+    int number = fileno(file);
+    return fstat(number, &status) == 0 && S_ISREG(status.st_mode) &&
+           status.st_size - lseek(number, 0, SEEK_CUR) > limit;
+}
 
 /* Reads to the end of a pipe, whose length nobody knows: the memory doubles as it fills. */
 static char *read_stream(FILE *file, const char *name, long limit, long *length, Error *error)
 {
     long capacity = limit < 1 << 16 ? limit + 1 : 1 << 16, filled = 0;
-    char *text = malloc((size_t)capacity + 1);
+    bool is_large = is_surely_larger(file, limit);
+    char *text = is_large ? NULL : malloc((size_t)capacity + 1);
     while (text) {
         filled += (long)fread(text + filled, 1, (size_t)(capacity - filled), file);
-        if (filled < capacity)
+        is_large = filled > limit;
+        if (filled < capacity || is_large)
             break;
-        if (capacity > limit) {
-            free(text);
-            error_set(error, ERROR_INPUT, "%s: is too large: more than %ld bytes", name, limit);
-            return NULL;
-        }
         capacity = capacity > limit / 2 ? limit + 1 : 2 * capacity;
         char *grown = realloc(text, (size_t)capacity + 1);
         if (!grown)
             free(text);
         text = grown;
+    }
+    if (is_large) {
+        error_set(error, ERROR_INPUT, "%s: is too large: more than %ld bytes", name, limit);
+        free(text);
+        return NULL;
     }
     if (!text) {
         error_memory(error, name);
