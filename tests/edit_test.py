@@ -55,6 +55,10 @@ class Edit(CommandTest):
         for words in (["--set", "x"], ["--set", "=1"], ["--camera", "1,2"], ["--light", "1,2,3"], ["--up", "a,b,c"]):
             self.assertIn(words[0], self.run_program("check", "scene.json", *words, status=2)[1])
 
+    def test_a_long_mistake_keeps_its_reason(self):
+        _, err = self.run_program("check", "scene.json", "--set", "a." * 40000 + "a=1", status=2)
+        self.assertRegex(err, r"^rectray: --set (a\.){100}\.\.\.: a path has at most 64 steps\n$")
+
     def test_a_broken_file_is_told_before_the_path(self):
         self.put("broken.json", '{"camera": }')
         self.assertRegex(self.run_program("check", "broken.json", "--set", "x.y=1", status=1)[1], "^broken.json:1:12: ")

@@ -1,6 +1,8 @@
 /* The fuzzers' targets over all inputs that are kept: the seeds, and what once broke something (tests/fuzz/NAME/). */
 #include "fuzz/fuzz.h"
 
+#include "support/xorshift.h"
+
 #include "unity.h"
 
 #include <glob.h>
@@ -54,6 +56,28 @@ static void scene_should_keep_its_promises_on_every_test_scene(void)
     run_all("tests/scenes/bad/*.mtl", fuzz_mtl);
 }
 
+/* Steps of paths put together at random lead to a value now and then, and almost never to one of its kind. */
+static void edit_should_keep_its_promises_on_ten_thousand_wrong_paths(void)
+{
+    static const char *const pieces[] = {
+        "camera",  "position", "screen",  "columns", "lights", "materials", "light grey",
+        "objects", "faces",    "shading", "[0]",     "[3]",    "[-1]",      "[99999999999999999999]",
+        "[\"",     "\"]",      ".",       ".",       "[",      "]",         "\"",
+        "\\",      "{",        ",",       "=",       "\x1B",   "\xC2\x9B",  "\xFF",
+        "$schema", "//"};
+    enum { PIECES = sizeof pieces / sizeof *pieces, WRONG = 10000 };
+    uint64_t state = 1;
+    long before = fuzz_edit_refused;
+    for (int i = 0; fuzz_edit_refused - before < WRONG; i++) {
+        char line[256] = "";
+        for (uint64_t left = random_next(&state) % 8; left > 0; left--)
+            strcat(line, pieces[random_next(&state) % PIECES]);
+        strcat(line, i % 3 ? "=1" : "=[0, 0, 1]");
+        fuzz_edit((const uint8_t *)line, strlen(line));
+        TEST_ASSERT_LESS_THAN(2 * WRONG, i);
+    }
+}
+
 #define RUN_TEST_OF(name) RUN_TEST(name##_should_keep_its_promises_on_every_kept_input);
 
 int main(void)
@@ -61,5 +85,6 @@ int main(void)
     UNITY_BEGIN();
     FUZZ_TARGETS(RUN_TEST_OF)
     RUN_TEST(scene_should_keep_its_promises_on_every_test_scene);
+    RUN_TEST(edit_should_keep_its_promises_on_ten_thousand_wrong_paths);
     return UNITY_END();
 }

@@ -69,9 +69,25 @@ static void json_edit_should_tell_how_far_a_path_leads(void)
     assert_refused("a path is made of keys and indices, such as lights[0].position[1]", "camera..position", "0");
     assert_refused("a path is made of keys and indices, such as lights[0].position[1]", "lights[x]", "0");
     assert_refused("the value is neither JSON nor a plain word", "name", "a\"b");
+    assert_refused("the path does not lead to a value that can be set", "a\": 1, \"b", "0");
+    assert_refused("the path does not lead to a value that can be set", "camera.a\\b", "0");
 }
 
-/* Whatever the path and the value: there is an error, or a text. */
+/* Deeper than any scene, and than a stack. */
+static void json_edit_should_refuse_a_path_of_many_steps(void)
+{
+    enum { STEPS = 100000 };
+    static char path[2 * STEPS];
+    for (int i = 0; i < STEPS; i++)
+        memcpy(path + 2 * i, i < STEPS - 1 ? "a." : "a", 2);
+    assert_refused("a path has at most 64 steps", path, "0");
+    strcpy(path + 2 * 64, "a");
+    assert_refused("a path has at most 64 steps", path, "0");
+    strcpy(path + 2 * 63, "a");
+    assert_edit("{\"a\": {\"a\": {", path, "0");
+}
+
+/* Whatever the path and the value: there is an error, or a JSON text. */
 static void json_edit_should_survive_ten_thousand_paths(void)
 {
     static const char *const pieces[] = {"camera", "position", "lights", "name", "[0]", "[1]", "[99999999999999999999]",
@@ -89,6 +105,7 @@ static void json_edit_should_survive_ten_thousand_paths(void)
         Error error = {.kind = ERROR_NONE};
         char *text = json_edit(TEXT, path, value, &error);
         TEST_ASSERT_EQUAL_MESSAGE(text == NULL, error.kind != ERROR_NONE, path);
+        TEST_ASSERT_TRUE_MESSAGE(!text || !json_scan(text, (long)strlen(text)).place, text);
         edited += text != NULL;
         free(text);
     }
@@ -131,6 +148,7 @@ int main(void)
     RUN_TEST(json_edit_should_tell_how_far_a_path_leads);
     RUN_TEST(json_edit_should_find_keys_with_escapes);
     RUN_TEST(json_without_should_leave_no_comma);
+    RUN_TEST(json_edit_should_refuse_a_path_of_many_steps);
     RUN_TEST(json_edit_should_survive_ten_thousand_paths);
     return UNITY_END();
 }

@@ -18,6 +18,8 @@ bool scene_open_tell(const Notes *notes, const Options *options, bool every, Err
 
 /* --- Edits --- */
 
+enum { ORIGIN_MAX = 200 }; /* bytes of an option in messages: behind a longer one the reason would be cut off */
+
 /* What an edit needs: three strings in one piece of memory. */
 typedef struct EditText {
     char *memory;
@@ -63,7 +65,8 @@ static bool make_edit(EditText *made, const OptionEdit *option, Error *error)
         return error_memory(error, "a change of the scene");
     char *path = made->memory, *value = path + size, *origin = value + size;
     write_edit(path, value, size, option);
-    snprintf(origin, size, "--%s %s", option->option, option->value);
+    snprintf(origin, size, "--%s %.*s%s", option->option, ORIGIN_MAX, option->value,
+             strlen(option->value) > ORIGIN_MAX ? "..." : "");
     made->edit = (SceneEdit){path, value, origin};
     return true;
 }

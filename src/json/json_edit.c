@@ -45,6 +45,16 @@ static const char *next_step(const char *path, bool first, Step *step)
     return key_step(path, strcspn(path, ".["), step);
 }
 
+/* Whether a path leads deeper than a JSON text may go. */
+static bool is_too_deep(const char *path)
+{
+    Step step;
+    const char *rest = path;
+    for (int i = 0; i < JSON_MAX_DEPTH && rest && *rest; i++)
+        rest = next_step(rest, rest == path, &step);
+    return rest && *rest;
+}
+
 /* Whether a key, with its quotes, is a word. An escape in it is read as cJSON reads it. */
 static bool key_is(JsonSpan key, const char *word)
 {
@@ -125,14 +135,22 @@ static char *replaced(const char *text, const char *begin, const char *end, cons
     return joined(pieces, lengths, 3);
 }
 
-/* "KEY": VALUE, or with `rest`, further keys of the path, "KEY": {"REST": VALUE}. NULL where a step of the rest is no
+/* Whether a key can be put between quotes as it is. */
+static bool is_plain(const char *key)
+{
+    char quoted[STEP_BYTES + 2];
+    snprintf(quoted, sizeof quoted, "\"%s\"", key);
+    return !strchr(key, '\\') && is_value(quoted);
+}
+
+/* "KEY": VALUE, or with `rest`, further keys of the path, "KEY": {"REST": VALUE}. NULL where a step is no plain
  * key, or without memory. */
 static char *new_member(const char *key, const char *rest, const char *value)
 {
     Step next;
     const char *after = *rest ? next_step(rest, false, &next) : NULL;
     bool inner = *rest != '\0';
-    if (inner && (!after || next.index >= 0))
+    if (!is_plain(key) || (inner && (!after || next.index >= 0)))
         return NULL;
     char *below = inner ? new_member(next.key, after, value) : NULL;
     if (inner && !below)
@@ -190,6 +208,10 @@ static char *edit(const char *text, const char *path, const char *value, Error *
 char *json_edit(const char *text, const char *path, const char *value, Error *error)
 {
     char *word = NULL;
+    if (is_too_deep(path)) {
+        error_set(error, ERROR_USAGE, "a path has at most %d steps", JSON_MAX_DEPTH);
+        return NULL;
+    }
     if (!is_value(value)) {
         const char *pieces[] = {"\"", value, "\""};
         size_t lengths[] = {1, strlen(value), 1};

@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define FUZZ_TARGETS(X) X(scene) X(obj) X(mtl) X(model) X(options)
+#define FUZZ_TARGETS(X) X(scene) X(obj) X(mtl) X(model) X(options) X(edit)
 
 /* A scene file; then, after lines of "---", the model "100" and the library "101" that it may name. */
 int fuzz_scene(const uint8_t *data, size_t size);
@@ -26,6 +26,10 @@ int fuzz_mtl(const uint8_t *data, size_t size);
 
 /* A command line, a word in each line; the first is the command. */
 int fuzz_options(const uint8_t *data, size_t size);
+
+/* Values of --set, one in each line; after a line of "---" the scene, a small one where there is none. */
+int fuzz_edit(const uint8_t *data, size_t size);
+extern long fuzz_edit_refused; /* inputs of fuzz_edit so far that were refused */
 
 /* --- What the targets share --- */
 
