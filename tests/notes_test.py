@@ -28,6 +28,13 @@ class Notes(CommandTest):
             with self.subTest(words):
                 self.assertIn(NOTE, self.run_program(words[0], "noted.json", *words[1:])[1])
 
+    def test_a_measurement_tells_them_once(self):
+        for words in (["kernels", "noted.json"], ["error", "noted.json"]):
+            with self.subTest(words):
+                err = self.run_program("bench", *words, "--repeats=1", "--size=8x6")[1]
+                self.assertEqual(err, "measuring noted\n" + NOTE)
+                self.assertEqual(self.run_program("bench", *words, "--repeats=1", "--size=8x6", "-q")[1], "")
+
     def test_quiet_keeps_them_back(self):
         for command in ("check", "tree"):
             self.assertEqual(self.run_program(command, "noted.json", "-q")[1], "")

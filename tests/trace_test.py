@@ -229,6 +229,8 @@ class Pieces(CommandTest):
         events = json.loads(self.run_program(*words, "--format", "json")[0])["events"]
         hit = next(event for event in events if event["event"] == "hit")
         self.assertEqual((hit["face"], hit["piece"], hit["pieces"]), (0, 1, 5))
+        svg = self.run_program(*words, "--format", "svg")[0]
+        self.assertIn(b">P1: piece 1 of 5 of face 0, wall with.../0, of wall, with weight 1<", svg)
         words = ("trace", os.path.join(HERE, "scenes/original.json"), "--pixel", "40,36", "--format", "json")
         self.assertNotIn(b'"piece"', self.run_program(*words)[0])
 

@@ -19,6 +19,7 @@ typedef struct BenchPlan {
     RenderSettings settings;
     int repeats;        /* pictures to take the median of */
     bool skips;         /* measure, too, what is left out */
+    bool tells;         /* the notes on scenes that a user names */
     BenchFolder folder; /* for generated scenes, pictures, caches and the data of plots */
 } BenchPlan;
 

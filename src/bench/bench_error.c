@@ -222,6 +222,7 @@ static bool load(BenchError *result, Scene *scene, const BenchScene *wanted, con
     *result = (BenchError){.scene = *wanted};
     if (!scene_load(scene, wanted->path, error))
         return false;
+    bench_tell(scene, plan);
     if (bench_error_arithmetic(&result->arithmetic, scene, wanted, plan, error))
         return true;
     scene_free(scene);

@@ -215,6 +215,7 @@ bool bench_kernels(BenchKernels *result, const BenchScene *wanted, const BenchPl
     *result = (BenchKernels){.scene = *wanted};
     if (!scene_load(&scene, wanted->path, error))
         return false;
+    bench_tell(&scene, plan);
     if (wanted->columns == 0)
         bench_scene_fit(&result->scene, &scene.screen, PIXELS);
     if (wanted->grid == 0)

@@ -26,3 +26,9 @@ void bench_scene_fit(BenchScene *scene, const Screen *screen, int pixels)
     scene->columns = (int)fmax(1, floor(screen->columns * shrink + 0.5));
     scene->rows = (int)fmax(1, floor(screen->rows * shrink + 0.5));
 }
+
+void bench_tell(const Scene *scene, const BenchPlan *plan)
+{
+    if (plan->tells)
+        notes_print(&scene->notes, stderr, false);
+}

@@ -11,4 +11,7 @@ bool bench_scene_of(const char *path, BenchScene *scene, Error *error);
 /* The screen's own shape in about so many pixels. */
 void bench_scene_fit(BenchScene *scene, const Screen *screen, int pixels);
 
+/* Tells the notes on a scene that was read, if the plan says so. */
+void bench_tell(const Scene *scene, const BenchPlan *plan);
+
 #endif

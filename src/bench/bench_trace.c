@@ -4,6 +4,7 @@
 
 #include "base/process.h"
 #include "bench/bench_measure.h"
+#include "bench/bench_scene.h"
 #include "reader/scene_json.h"
 
 #include <cjson/cJSON.h>
@@ -175,12 +176,13 @@ static void settle_screen(BenchScene *wanted, Scene *scene)
     wanted->grid = scene->grid;
 }
 
-bool bench_settle(BenchScene *wanted, Error *error)
+bool bench_settle(BenchScene *wanted, const BenchPlan *plan, Error *error)
 {
     Scene scene;
     if (!scene_load(&scene, wanted->path, error))
         return false;
     settle_screen(wanted, &scene);
+    bench_tell(&scene, plan);
     scene_free(&scene);
     return true;
 }

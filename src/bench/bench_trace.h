@@ -27,7 +27,7 @@ typedef struct BenchTrace {
 } BenchTrace;
 
 /* Fills in what the scene itself says of its size and grid; of a scene that is sampled adaptively a grid of 1. */
-bool bench_settle(BenchScene *scene, Error *error);
+bool bench_settle(BenchScene *scene, const BenchPlan *plan, Error *error);
 
 /* Traces the scene after a warm-up, turn by turn with the peer where it is built. */
 bool bench_trace(BenchTrace *result, const BenchScene *scene, const BenchPlan *plan, Error *error);

@@ -127,7 +127,7 @@ static bool measure_curve(Bench *bench, const Options *options, Error *error)
     return true;
 }
 
-static bool named_scene(const Options *options, int index, BenchScene *scene, Error *error)
+static bool named_scene(const Options *options, int index, const BenchPlan *plan, BenchScene *scene, Error *error)
 {
     const char *path = options->operands[index], *slash = strrchr(path, '/');
     *scene = (BenchScene){.columns = 0};
@@ -137,7 +137,7 @@ static bool named_scene(const Options *options, int index, BenchScene *scene, Er
     text_make_utf8(scene->name);
     snprintf(scene->path, sizeof scene->path, "%s", path);
     override_screen(scene, options);
-    return bench_settle(scene, error);
+    return bench_settle(scene, plan, error);
 }
 
 static bool measure_scenes(Bench *bench, const Options *options, Error *error)
@@ -145,7 +145,7 @@ static bool measure_scenes(Bench *bench, const Options *options, Error *error)
     BenchScene scenes[BENCH_MAX_SCENES];
     for (int i = 0; i < options->operand_count; i++, bench->process_count++) {
         announce(options, "rendering", options->operands[i]);
-        if (!named_scene(options, i, &scenes[i], error) ||
+        if (!named_scene(options, i, &bench->plan, &scenes[i], error) ||
             !bench_process(&bench->processes[i], &scenes[i], &bench->plan, error))
             return false;
     }
@@ -219,8 +219,10 @@ bool command_bench(const Options *options, Error *error)
     Bench *bench = calloc(1, sizeof *bench);
     if (!bench)
         return error_memory(error, "the measurements");
-    bench->plan = (BenchPlan){
-        .settings = options->settings, .repeats = options->repeats > 0 ? options->repeats : 5, .skips = true};
+    bench->plan = (BenchPlan){.settings = options->settings,
+                              .repeats = options->repeats > 0 ? options->repeats : 5,
+                              .skips = true,
+                              .tells = !options->quiet};
     bool done = bench_folder_open(&bench->plan.folder, options->folder, error);
     if (done) {
         done = measure_and_report(bench, options, error);

@@ -97,7 +97,9 @@ bool command_bench_error(const Options *options, Error *error)
     BenchErrors *errors = calloc(1, sizeof *errors);
     if (!errors)
         return error_memory(error, "the measurements");
-    errors->plan = (BenchPlan){.settings = options->settings, .repeats = options->repeats > 0 ? options->repeats : 5};
+    errors->plan = (BenchPlan){.settings = options->settings,
+                               .repeats = options->repeats > 0 ? options->repeats : 5,
+                               .tells = !options->quiet};
     bool done = bench_folder_open(&errors->plan.folder, options->folder, error);
     if (done) {
         done = measure_and_report(errors, options, error);

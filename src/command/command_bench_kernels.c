@@ -77,7 +77,9 @@ bool command_bench_kernels(const Options *options, Error *error)
     BenchKernelScenes *kernels = calloc(1, sizeof *kernels);
     if (!kernels)
         return error_memory(error, "the measurements");
-    kernels->plan = (BenchPlan){.settings = options->settings, .repeats = options->repeats > 0 ? options->repeats : 5};
+    kernels->plan = (BenchPlan){.settings = options->settings,
+                                .repeats = options->repeats > 0 ? options->repeats : 5,
+                                .tells = !options->quiet};
     bool done = bench_folder_open(&kernels->plan.folder, options->folder, error);
     if (done) {
         done = measure_and_report(kernels, options, error);

@@ -6,6 +6,7 @@
 #include "walkthrough/svg_screen.h"
 #include "walkthrough/svg_strokes.h"
 #include "walkthrough/walkthrough_formats.h"
+#include "walkthrough/walkthrough_words.h"
 
 enum { WIDTH = 1100, CAPTION_HEIGHT = 19, CAPTIONS_MAX = 12 };
 
@@ -101,8 +102,12 @@ static void draw_captions(FILE *out, const Walkthrough *walk, int top)
         if (!place.told || event->kind != EVENT_HIT || hits++ >= CAPTIONS_MAX)
             continue;
         const Face *face = &scene->faces[event->as.hit.face];
-        fprintf(out, "<text x='605' y='%d'>P%d: face %d, ", top + CAPTION_HEIGHT * hits, hits, face->number);
-        svg_text(out, ink_name(scene->objects[face->object].name, 20).text);
+        WalkthroughPiece piece = walkthrough_piece(scene, event->as.hit.face);
+        fprintf(out, "<text x='605' y='%d'>P%d: ", top + CAPTION_HEIGHT * hits, hits);
+        if (piece.count > 1)
+            fprintf(out, "piece %d of %d of ", piece.number, piece.count);
+        fprintf(out, "face %d, ", face->number);
+        svg_text(out, walkthrough_owner_words(scene, event->as.hit.face, piece.count > 1 ? 12 : 20).text);
         fprintf(out, "/%d, of ", walkthrough_face_in_object(scene, event->as.hit.face));
         svg_text(out, ink_name(scene->materials[face->material].name, 14).text);
         fprintf(out, ", with weight %s</text>\n", ink_number(place.weight, 4).text);
