@@ -4,15 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 /* Whether a file, redirected to standard input, tells that more is left of it: then none of it need be read. */
 static bool is_surely_larger(FILE *file, long limit)
 {
     struct stat status;
     int number = fileno(file);
-    return fstat(number, &status) == 0 && S_ISREG(status.st_mode) &&
-           status.st_size - lseek(number, 0, SEEK_CUR) > limit;
+    return fstat(number, &status) == 0 && S_ISREG(status.st_mode) && status.st_size - ftello(file) > limit;
 }
 
 /* Reads to the end of a pipe, whose length nobody knows: the memory doubles as it fills. */
