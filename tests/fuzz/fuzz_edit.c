@@ -16,7 +16,8 @@ static const char SCENE[] =
 
 long fuzz_edit_refused;
 
-/* An edit of a JSON text is a JSON text, if it is not too deep, and the same edit changes nothing more in it. */
+/* An edit of a JSON text is a JSON text, if it is not too deep. The same edit changes nothing more in it, unless its
+ * value has blanks. */
 static void check_edit(const char *text, char *line)
 {
     static Error error;
@@ -32,7 +33,8 @@ static void check_edit(const char *text, char *line)
     JsonFault fault = json_scan(once, (long)strlen(once));
     REQUIRE(!fault.place || strstr(fault.reason, "deep"));
     char *twice = fault.place ? NULL : json_edit(once, line, value, &error);
-    REQUIRE(fault.place || (twice && strcmp(once, twice) == 0));
+    bool is_tight = value[0] && value[strcspn(value, " \t\r")] == '\0';
+    REQUIRE(fault.place || (twice && (!is_tight || strcmp(once, twice) == 0)));
     free(once);
     free(twice);
 }
