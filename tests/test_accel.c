@@ -199,16 +199,20 @@ static void a_sorted_tree_should_be_a_bvh_of_another_name(void)
 static void sorting_should_pay_for_few_rays_in_many_faces(void)
 {
     Scene scene = {.screen = {.columns = 1000, .rows = 1000}, .grid = 1, .face_count = 1000000};
-    TEST_ASSERT_TRUE(accel_sorting_pays(&scene));
+    RenderSettings settings = {.threads = 1};
+    TEST_ASSERT_TRUE(accel_sorting_pays(&scene, &settings));
     scene.grid = 8;
-    TEST_ASSERT_FALSE(accel_sorting_pays(&scene));
+    TEST_ASSERT_FALSE(accel_sorting_pays(&scene, &settings));
+    settings.region = (Region){10, 10, 100, 100};
+    TEST_ASSERT_TRUE(accel_sorting_pays(&scene, &settings));
+    settings.region = (Region){0, 0, 0, 0};
     scene.grid = 1;
     scene.face_count = 10000;
-    TEST_ASSERT_FALSE(accel_sorting_pays(&scene));
+    TEST_ASSERT_FALSE(accel_sorting_pays(&scene, &settings));
     scene.screen.columns = scene.screen.rows = 10;
-    TEST_ASSERT_TRUE(accel_sorting_pays(&scene));
+    TEST_ASSERT_TRUE(accel_sorting_pays(&scene, &settings));
     scene.face_count = 100;
-    TEST_ASSERT_FALSE(accel_sorting_pays(&scene));
+    TEST_ASSERT_FALSE(accel_sorting_pays(&scene, &settings));
 }
 
 static void no_faces_should_need_no_tree(void)

@@ -45,7 +45,7 @@ static RayBounds bounds_of_rays(const Apex *a, const Path *paths, const Ray *ray
     return bounds_from(a, packets, PACKETS, 0);
 }
 
-/* Renders the centres of a tile's pixels. flags: band_rows * columns bytes, 1 where a pixel needs more samples. */
+/* Renders the centres of a tile's pixels. flags: band_rows * band_columns bytes, 1 where a pixel needs more samples. */
 COMPILED_ONCE void render_centres(const World *world, int first_column, int first_row, global uchar *rgb,
                                   global uchar *flags)
 {
@@ -58,7 +58,7 @@ COMPILED_ONCE void render_centres(const World *world, int first_column, int firs
     Mask even[PACKETS];
     EACH_PACKET(k) {
         Mask number = lane_numbers();
-        pixels.columns[k] = MASK_TO_WIDE(first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
+        pixels.columns[k] = MASK_TO_WIDE(p->first_column + first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS);
         pixels.rows[k] = MASK_TO_WIDE(p->first_row + first_row + PACKET_ROW(k) + number / PACKET_COLUMNS);
         rays[k].origin = view_vec(world, VIEW_EYE);
         rays[k].direction = pixels.directions[k] =
@@ -80,8 +80,8 @@ COMPILED_ONCE void render_centres(const World *world, int first_column, int firs
         STORE(even[k], even_lanes);
         for (int i = 0; i < LANES; i++) {
             int c = column + i % PACKET_COLUMNS, r = row + i / PACKET_COLUMNS;
-            if (c < p->columns && r < p->band_rows)
-                flags[(size_t)r * (size_t)p->columns + (size_t)c] = even_lanes[i] ? 0 : 1;
+            if (c < p->band_columns && r < p->band_rows)
+                flags[(size_t)r * (size_t)p->band_columns + (size_t)c] = even_lanes[i] ? 0 : 1;
         }
     }
 }
@@ -142,7 +142,8 @@ static void refine(const World *world, global uchar *rgb, global const int *list
     Refined pixels[PACKETS];
     for (int k = 0; k < pixel_count; k++) {
         int place = list[p->refine_first + first + k];
-        Refined pixel = {place, place % p->columns, place / p->columns + p->first_row, {0, 0, 0}};
+        Refined pixel = {place, p->first_column + place % p->band_columns, p->first_row + place / p->band_columns,
+                         {0, 0, 0}};
         pixels[k] = pixel;
     }
     for (int sample = 0; sample < p->grid; sample += LANES)

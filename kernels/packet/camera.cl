@@ -36,18 +36,20 @@ typedef struct ScreenPlaces {
     wide x[TILE_COLUMNS], y[TILE_ROWS];
 } ScreenPlaces;
 
-/* x of the middle of sub-column i of a column of pixels. */
+/* x of the middle of sub-column i of a column of the band's pixels. */
 INLINE wide screen_x(const World *world, int column, int i)
 {
     constant const Parameters *p = world->parameters;
-    return ((column + (i + (wide)0.5f) / p->grid) / (wide)p->columns - (wide)0.5f) * view_value(world, VIEW_WIDTH);
+    wide place = p->first_column + column + (i + (wide)0.5f) / p->grid;
+    return (place / (wide)p->columns - (wide)0.5f) * view_value(world, VIEW_WIDTH);
 }
 
-/* y of the middle of sub-row j of a row of pixels. */
+/* y of the middle of sub-row j of a row of the band's pixels. */
 INLINE wide screen_y(const World *world, int row, int j)
 {
     constant const Parameters *p = world->parameters;
-    return ((wide)0.5f - (row + (j + (wide)0.5f) / p->grid) / (wide)p->rows) * view_value(world, VIEW_HEIGHT);
+    wide place = p->first_row + row + (j + (wide)0.5f) / p->grid;
+    return ((wide)0.5f - place / (wide)p->rows) * view_value(world, VIEW_HEIGHT);
 }
 
 /* The places of the sub-pixels (i, j). */

@@ -51,13 +51,14 @@ INLINE void store_four(int4 pixels, global uchar *out)
 INLINE void store_packet(global uchar *picture, constant const Parameters *p, int first_column, int first_row,
                          Vec colour)
 {
-    int columns = min(PACKET_COLUMNS, p->columns - first_column), rows = min(PACKET_ROWS, p->band_rows - first_row);
-    size_t place = (size_t)first_row * (size_t)p->columns + (size_t)first_column;
+    int columns = min(PACKET_COLUMNS, p->band_columns - first_column);
+    int rows = min(PACKET_ROWS, p->band_rows - first_row);
+    size_t place = (size_t)first_row * (size_t)p->band_columns + (size_t)first_column;
 #if LANES == 16 && defined(__ENDIAN_LITTLE__) && !LINEAR
     if (columns == 4 && rows == 4) {
         int16 pixels = colour_to_byte(colour.x) | colour_to_byte(colour.y) << 8 | colour_to_byte(colour.z) << 16;
         global uchar *out = picture + place * 3;
-        size_t stride = (size_t)p->columns * 3;
+        size_t stride = (size_t)p->band_columns * 3;
         store_four(pixels.s0123, out);
         store_four(pixels.s4567, out + stride);
         store_four(pixels.s89ab, out + 2 * stride);
@@ -73,7 +74,7 @@ INLINE void store_packet(global uchar *picture, constant const Parameters *p, in
         for (int column = 0; column < columns; column++) {
             int lane = row * PACKET_COLUMNS + column;
             global Channel *out =
-                (global Channel *)picture + (place + (size_t)row * (size_t)p->columns + (size_t)column) * 3;
+                (global Channel *)picture + (place + (size_t)row * (size_t)p->band_columns + (size_t)column) * 3;
             out[0] = (Channel)red[lane];
             out[1] = (Channel)green[lane];
             out[2] = (Channel)blue[lane];

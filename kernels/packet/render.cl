@@ -25,7 +25,7 @@
 #include "packet/window.cl"
 #include "packet/world.cl"
 
-/* The tile that begins there; rgb: band_rows * columns * 3 bytes. */
+/* The tile that begins there; rgb: band_rows * band_columns * 3 bytes. */
 COMPILED_ONCE void render_tile(const World *world, const Apex *apex, const Camera *camera, int first_column,
                                int first_row, global uchar *rgb)
 {
@@ -38,7 +38,7 @@ COMPILED_ONCE void render_tile(const World *world, const Apex *apex, const Camer
     }
     for (int j = 0; j < p->grid; j++)
         for (int i = 0; i < p->grid; i++) {
-            ScreenPlaces places = screen_places(world, first_column, p->first_row + first_row, i, j);
+            ScreenPlaces places = screen_places(world, first_column, first_row, i, j);
             Window window = window_of_tile(p, &places, first_column, first_row);
             Frustum corners = camera_frustum(camera, &window);
             RayBounds seen = bounds_of_frustum(apex, &corners, 0);

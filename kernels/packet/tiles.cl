@@ -19,17 +19,17 @@ enum { TILE_COLUMNS = PACKETS_ACROSS * PACKET_COLUMNS, TILE_ROWS = PACKETS / PAC
 /* The pixels of packet k of the tile that are in the band. */
 INLINE Mask pixels_inside(constant const Parameters *p, int first_column, int first_row, int k)
 {
-    if (first_column + TILE_COLUMNS <= p->columns && first_row + TILE_ROWS <= p->band_rows)
+    if (first_column + TILE_COLUMNS <= p->band_columns && first_row + TILE_ROWS <= p->band_rows)
         return (Mask)-1;
     Mask number = lane_numbers();
     Mask column = first_column + PACKET_COLUMN(k) + number % PACKET_COLUMNS;
     Mask row = first_row + PACKET_ROW(k) + number / PACKET_COLUMNS;
-    return IS(column < (Mask)p->columns) & IS(row < (Mask)p->band_rows);
+    return IS(column < (Mask)p->band_columns) & IS(row < (Mask)p->band_rows);
 }
 
 enum { BLOCK_COLUMNS = BLOCK_ACROSS * TILE_COLUMNS, BLOCK_ROWS = BLOCK_ACROSS * TILE_ROWS };
 
-#define BLOCKS_ACROSS(p) (((p)->columns + BLOCK_COLUMNS - 1) / BLOCK_COLUMNS)
+#define BLOCKS_ACROSS(p) (((p)->band_columns + BLOCK_COLUMNS - 1) / BLOCK_COLUMNS)
 
 /* A rectangle of pixels of the band. */
 typedef struct Area {
@@ -47,7 +47,7 @@ INLINE Area area_of_block(constant const Parameters *p, int block, int k)
     Area area;
     area.column = block % BLOCKS_ACROSS(p) * BLOCK_COLUMNS + (k > 0 ? (k - 1) % 2 * columns : 0);
     area.row = block / BLOCKS_ACROSS(p) * BLOCK_ROWS + (k > 0 ? (k - 1) / 2 * rows : 0);
-    area.columns = min(columns, p->columns - area.column);
+    area.columns = min(columns, p->band_columns - area.column);
     area.rows = min(rows, p->band_rows - area.row);
     return area;
 }

@@ -20,7 +20,7 @@ typedef struct Window {
  * the camera there. */
 INLINE Window window_of_tile(constant const Parameters *p, const ScreenPlaces *places, int first_column, int first_row)
 {
-    int column = min((int)TILE_COLUMNS, p->columns - first_column) - 1;
+    int column = min((int)TILE_COLUMNS, p->band_columns - first_column) - 1;
     int row = min((int)TILE_ROWS, p->band_rows - first_row) - 1;
     Window w = {{places->x[0], places->x[column]}, {places->y[0], places->y[row]}};
     return w;
@@ -29,8 +29,7 @@ INLINE Window window_of_tile(constant const Parameters *p, const ScreenPlaces *p
 /* The window of all sub-pixels of an area. */
 INLINE Window window_of_area(const World *world, const Area *area)
 {
-    constant const Parameters *p = world->parameters;
-    int column = area->column, row = p->first_row + area->row, last = p->grid - 1;
+    int column = area->column, row = area->row, last = world->parameters->grid - 1;
     Window w = {{screen_x(world, column, 0), screen_x(world, column + area->columns - 1, last)},
                 {screen_y(world, row, 0), screen_y(world, row + area->rows - 1, last)}};
     return w;

@@ -19,10 +19,12 @@ typedef struct FaceRecord {
 /* The most hits that a path has. */
 enum { PATH_MAX = 65 };
 
-/* The numbers that a launch is for. Only the band changes from one launch to the next. */
+/* The numbers that a launch is for. Only the band changes from one launch to the next. A band is a rectangle of the
+ * picture's pixels; a row and a column of the band are counted from its top left corner. */
 typedef struct Parameters {
-    int columns, rows;
-    int first_row, band_rows; /* the rows that this launch renders */
+    int columns, rows;              /* of the whole picture */
+    int first_column, band_columns; /* the columns that this launch renders, */
+    int first_row, band_rows;       /* and the rows */
     int grid;           /* columns and rows of cells in a pixel; of refined pixels, the number of samples */
     int face_count, light_count;
     int max_bounces;

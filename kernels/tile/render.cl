@@ -29,7 +29,8 @@
 #include "tile/uniform_block.cl"
 #include "tile/uniform_tile.cl"
 
-/* Renders the tile that begins there. classification: of the area around it. rgb: band_rows * columns * 3 bytes. */
+/* Renders the tile that begins there. classification: of the area around it. rgb: 3 bytes for each pixel of the band,
+ * row by row. */
 COMPILED_ONCE void render_tile(const World *world, const Apex *apex, const Camera *camera,
                                const Classification *classification, int first_column, int first_row, global uchar *rgb)
 {
@@ -42,7 +43,7 @@ COMPILED_ONCE void render_tile(const World *world, const Apex *apex, const Camer
     }
     for (int j = 0; j < p->grid; j++)
         for (int i = 0; i < p->grid; i++) {
-            ScreenPlaces places = screen_places(world, first_column, p->first_row + first_row, i, j);
+            ScreenPlaces places = screen_places(world, first_column, first_row, i, j);
             Window window = window_of_tile(p, &places, first_column, first_row);
             Frustum corners = camera_frustum(camera, &window);
             RayBounds seen = bounds_of_frustum(apex, &corners, 0);

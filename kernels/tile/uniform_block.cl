@@ -49,7 +49,7 @@ NOINLINE bool render_uniform_tile(const World *world, UniformBlock *block, int f
         sum[k] = vec(0, 0, 0);
     for (int j = 0; j < p->grid; j++)
         for (int i = 0; i < p->grid; i++) {
-            ScreenPlaces places = screen_places(world, first_column, p->first_row + first_row, i, j);
+            ScreenPlaces places = screen_places(world, first_column, first_row, i, j);
             EACH_PACKET(k) {
                 Path path;
                 path.active = pixels_inside(p, first_column, first_row, k);

@@ -6,6 +6,7 @@
 #include "command/command.h"
 #include "command/hint_words.h"
 #include "command/progress.h"
+#include "command/region.h"
 #include "command/render_frames.h"
 #include "command/render_maps.h"
 #include "command/render_watch.h"
@@ -26,17 +27,17 @@ typedef struct Painter {
     Progress progress;
     double encode_ms;
     bool quiet;
-    int columns, rows;       /* of the whole picture */
+    Region region;           /* of the picture: what is painted */
     unsigned char colour[3]; /* of its first pixel */
     bool varies;             /* some pixel has another colour */
-    Image marked;            /* the whole picture, where a pixel of it is to be marked; else without pixels */
-    double *linear;          /* the whole picture in linear colours, where they are written; else NULL */
+    Image marked;            /* the whole region, where a pixel of it is to be marked; else without pixels */
+    double *linear;          /* the whole region in linear colours, where they are written; else NULL */
 } Painter;
 
 /* Notes whether the picture has more than one colour: most bands tell at their second pixel. */
 static void watch_colours(Painter *painter, int first_row, int rows, const unsigned char *rgb)
 {
-    size_t bytes = (size_t)rows * (size_t)painter->columns * 3;
+    size_t bytes = (size_t)rows * (size_t)painter->region.columns * 3;
     if (painter->varies)
         return;
     if (first_row == 0)
@@ -56,7 +57,7 @@ static bool paint_band(void *user, int first_row, int rows, const unsigned char 
     bool ok = painter->marked.rgb || painter->linear || image_writer_rows(painter->writer, rgb, rows, error);
     painter->encode_ms += clock_ms() - start;
     const RayCounts *rays = &so_far->rays;
-    progress_step(&painter->progress, (double)(first_row + rows) / painter->rows,
+    progress_step(&painter->progress, (double)(first_row + rows) / painter->region.rows,
                   rays->primary + rays->shadow + rays->reflection,
                   so_far->trace_ms + so_far->readback_ms + painter->encode_ms);
     return ok;
@@ -123,8 +124,6 @@ static void free_planes(void *user)
 static bool trace(const Options *options, Scene *scene, Painter *painter, RenderReport *report, Error *error)
 {
     BandSink sink = {paint_band, painter};
-    painter->columns = scene->screen.columns;
-    painter->rows = scene->screen.rows;
     painter->quiet = options->quiet;
     painter->progress = progress_start(options->progress, options->quiet);
     RenderSettings settings = options->settings;
@@ -139,14 +138,15 @@ static bool trace(const Options *options, Scene *scene, Painter *painter, Render
 }
 
 /* A marked picture is written when it is complete: what is shown larger may come after its place. */
-static bool keep_picture(Painter *painter, const Scene *scene, Error *error)
+static bool keep_picture(Painter *painter, Error *error)
 {
-    painter->marked = (Image){scene->screen.columns, scene->screen.rows, NULL};
-    painter->marked.rgb = malloc((size_t)scene->screen.columns * (size_t)scene->screen.rows * 3);
+    painter->marked = (Image){painter->region.columns, painter->region.rows, NULL};
+    painter->marked.rgb = malloc((size_t)painter->region.columns * (size_t)painter->region.rows * 3);
     return painter->marked.rgb || error_memory(error, "the picture");
 }
 
-static void print_around(const Image *image, int column, int row)
+/* The bytes around a pixel of the image, which is that region of the picture. */
+static void print_around(const Image *image, const Region *region, int column, int row)
 {
     for (int y = row - 1; y <= row + 1; y++) {
         if (y < 0 || y >= image->rows)
@@ -155,7 +155,7 @@ static void print_around(const Image *image, int column, int row)
             if (x < 0 || x >= image->columns)
                 continue;
             const unsigned char *rgb = image->rgb + ((size_t)y * (size_t)image->columns + (size_t)x) * 3;
-            fprintf(stderr, "  (%d, %d) = (%d, %d, %d)", x, y, rgb[0], rgb[1], rgb[2]);
+            fprintf(stderr, "  (%d, %d) = (%d, %d, %d)", region->column + x, region->row + y, rgb[0], rgb[1], rgb[2]);
         }
         fputc('\n', stderr);
     }
@@ -165,11 +165,12 @@ static void print_around(const Image *image, int column, int row)
 static bool write_marked(const Options *options, Painter *painter, Error *error)
 {
     Image *image = &painter->marked;
+    int column = options->mark_column - painter->region.column, row = options->mark_row - painter->region.row;
     if (!image->rgb)
         return true;
     if (!options->quiet)
-        print_around(image, options->mark_column, options->mark_row);
-    mark_draw(image, options->mark_column, options->mark_row);
+        print_around(image, &painter->region, column, row);
+    mark_draw(image, column, row);
     bool done = image_writer_rows(painter->writer, image->rgb, image->rows, error);
     image_free(image);
     return done;
@@ -194,9 +195,10 @@ static bool choose_kind(const Options *options, const char *output, ImageKind *k
            error_set(error, ERROR_USAGE, "--mark draws into a picture of 8 bits; choose .png or .ppm");
 }
 
-static bool keep_linear(Painter *painter, const Scene *scene, Error *error)
+static bool keep_linear(Painter *painter, Error *error)
 {
-    painter->linear = malloc((size_t)scene->screen.columns * (size_t)scene->screen.rows * 3 * sizeof *painter->linear);
+    painter->linear =
+        malloc((size_t)painter->region.columns * (size_t)painter->region.rows * 3 * sizeof *painter->linear);
     return painter->linear || error_memory(error, "the picture in linear colours");
 }
 
@@ -207,8 +209,8 @@ static bool paint(const Options *options, Scene *scene, ImageKind kind, Painter 
                   Error *error)
 {
     bool linear = kind.format == IMAGE_PFM || kind.depth == 16;
-    if ((options->mark_given && !keep_picture(painter, scene, error)) ||
-        (linear && !keep_linear(painter, scene, error)) || !trace(options, scene, painter, report, error))
+    if ((options->mark_given && !keep_picture(painter, error)) || (linear && !keep_linear(painter, error)) ||
+        !trace(options, scene, painter, report, error))
         return false;
     double start = clock_ms();
     bool written = write_marked(options, painter, error) &&
@@ -224,7 +226,9 @@ static bool render(const Options *options, Scene *scene, const char *output, Sta
     if (!choose_kind(options, output, &kind, error))
         return false;
     double start = clock_ms();
-    Painter painter = {.writer = image_writer_open_as(output, kind, scene->screen.columns, scene->screen.rows, error)};
+    const Region region = render_region(&options->settings, scene);
+    Painter painter = {.region = region,
+                       .writer = image_writer_open_as(output, kind, region.columns, region.rows, error)};
     if (!painter.writer)
         return false;
     painter.encode_ms = clock_ms() - start;
@@ -238,7 +242,8 @@ static bool render(const Options *options, Scene *scene, const char *output, Sta
     start = clock_ms();
     bool done = image_writer_commit(painter.writer, error);
     stats->encode_ms = painter.encode_ms + clock_ms() - start;
-    return done && (painter.varies || options->quiet || hint_blank_picture(scene, error));
+    bool is_part = options->settings.region.columns > 0;
+    return done && (painter.varies || is_part || options->quiet || hint_blank_picture(scene, error));
 }
 
 static bool render_scene(const Options *options, Scene *scene, Stats *stats, double start_ms, Error *error)
@@ -248,20 +253,11 @@ static bool render_scene(const Options *options, Scene *scene, Stats *stats, dou
     bool done =
         output && spare_scene(options->operands[0], output, error) && render(options, scene, output, stats, error);
     stats->total_ms = clock_ms() - start_ms;
+    const Region region = render_region(&options->settings, scene);
     if (done && !options->quiet && !to_stdout)
-        fprintf(stderr, "%s: %d x %d pixels in %.2f s\n", output, scene->screen.columns, scene->screen.rows,
-                stats->total_ms / 1e3);
+        fprintf(stderr, "%s: %d x %d pixels in %.2f s\n", output, region.columns, region.rows, stats->total_ms / 1e3);
     free(output);
     return done && stats_print(to_stdout ? stderr : stdout, options->stats, stats, error);
-}
-
-static bool check_mark(const Options *options, const Scene *scene, Error *error)
-{
-    const Screen *screen = &scene->screen;
-    if (!options->mark_given || (options->mark_column < screen->columns && options->mark_row < screen->rows))
-        return true;
-    return error_set(error, ERROR_USAGE, "--mark %d,%d is outside the picture, whose pixels are 0,0 to %d,%d",
-                     options->mark_column, options->mark_row, screen->columns - 1, screen->rows - 1);
 }
 
 static bool print_stage(const char *path, Error *error)
@@ -291,7 +287,7 @@ static bool render_once(const Options *options, Error *error)
     stats.parse_ms = clock_ms() - start;
     options_note_unused(options);
     scene_override(&scene, options);
-    bool done = check_mark(options, &scene, error) && render_maps_check(options, error) &&
+    bool done = region_check(options, &scene, error) && render_maps_check(options, error) &&
                 render_scene(options, &scene, &stats, start, error) && render_maps_draw(options, &scene, error);
     scene_free(&scene);
     return done;

@@ -24,6 +24,8 @@ const Option option_table[] = {
      TEXT(output), .expects = "the name of a file, or - for standard output"},
     {"size", 's', "COLUMNSxROWS", "render trace explore bench", "pixels of the picture, instead of the scene's",
      OWN(option_set_size), .expects = "two whole numbers from 1 to 16384, such as 640x480"},
+    {"region", 0, "COLUMN,ROW,COLUMNSxROWS", "render", "render only this part of the picture",
+     OWN(option_set_region), .expects = "a corner and a size in pixels, such as 320,240,64x48"},
     {"grid", 'g', "N", "render trace explore bench", "N x N rays per pixel, instead of the scene's",
      OWN(option_set_grid), .expects = "a whole number from 1 to 16"},
     {"sampling", 0, "HOW", "render trace", "uniform:N as --grid; adaptive[:N]: 16 rays (N = 8) where needed",

@@ -109,6 +109,16 @@ bool option_set_pixel(Options *o, const char *value)
     return true;
 }
 
+/* "COLUMN,ROW,COLUMNSxROWS" */
+bool option_set_region(Options *o, const char *value)
+{
+    Region *region = &o->settings.region;
+    const char *at = option_read_int(value, 0, SCENE_MAX_PIXELS - 1, ',', &region->column);
+    at = at ? option_read_int(at + 1, 0, SCENE_MAX_PIXELS - 1, ',', &region->row) : NULL;
+    at = at ? option_read_int(at + 1, 1, SCENE_MAX_PIXELS, 'x', &region->columns) : NULL;
+    return at && option_read_int(at + 1, 1, SCENE_MAX_PIXELS, '\0', &region->rows);
+}
+
 bool option_set_mark(Options *o, const char *value)
 {
     o->mark_given = true;

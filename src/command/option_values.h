@@ -13,6 +13,7 @@ bool option_set_size(Options *o, const char *value);
 bool option_set_grid(Options *o, const char *value);
 bool option_set_sampling(Options *o, const char *value);
 bool option_set_map(Options *o, const char *value);
+bool option_set_region(Options *o, const char *value);
 bool option_set_mark(Options *o, const char *value);
 bool option_set_map_scale(Options *o, const char *value);
 bool option_set_camera(Options *o, const char *value);

@@ -69,8 +69,8 @@ static bool draw(const Options *options, const OptionMap *map, const Scene *scen
     MapScale scale = {0, 0};
     if (map_has_scale(map->kind))
         scale = (MapScale){options->map_low, options->map_high};
-    bool done = map_draw(&image, scene, map->kind, options->settings.accel, options->settings.threads, &scale, error) &&
-                image_write(&image, map->file, error);
+    bool done =
+        map_draw(&image, scene, map->kind, &options->settings, &scale, error) && image_write(&image, map->file, error);
     if (done && !options->quiet)
         print_scale(map, scale);
     image_free(&image);

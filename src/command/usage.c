@@ -21,7 +21,9 @@ static void print_option(FILE *out, const Option *option)
     const char *blank = argument[0] && argument[0] != '[' ? " " : "";
     int width = fprintf(out, option->letter ? "  -%c, " : "      ", option->letter);
     width += fprintf(out, "--%s%s%s", option->name, blank, argument);
-    fprintf(out, "%*s%s\n", HELP_COLUMN > width ? HELP_COLUMN - width : 1, "", option->help);
+    if (width >= HELP_COLUMN) /* it gets a line of its own */
+        width = fprintf(out, "\n") - 1;
+    fprintf(out, "%*s%s\n", HELP_COLUMN - width, "", option->help);
 }
 
 void usage_print_command(FILE *out, const Command *command)

@@ -1,8 +1,8 @@
 /* The OpenCL backend: renders a scene band by band, the height of a band by the time that the last one took. */
 #include "opencl/opencl.h"
 
+#include "opencl/opencl_pixels.h"
 #include "opencl/opencl_refine.h"
-#include "scene/light.h"
 #include "trace/adaptive.h"
 #include "trace/pruned_scene.h"
 
@@ -20,61 +20,28 @@ static int next_band(int rows, int least, int most, double ms)
     if (ms * 2 < BAND_MS)
         rows *= 2;
     else if (ms > BAND_MS * 2 && rows >= 2 * least)
-        rows /= 2;
+        rows = rows / 2 / least * least;
     return rows < most ? rows : most;
 }
-
-/* A band on its way: what the device wrote, the bytes that the
- * sink gets, and the linear colours where they are wanted. */
-typedef struct Pixels {
-    cl_mem device;
-    void *read;         /* bytes, or reals of the session's precision */
-    unsigned char *rgb; /* the same as `read` where that is bytes */
-    double *linear;     /* the whole picture's, or NULL */
-    int most_rows;
-} Pixels;
 
 struct OpenclScene {
     OpenclSession session;
     PrunedScene pruned;
     SceneOnDevice on_device;
-    Pixels pixels;
+    Region region; /* what is wanted of the picture */
+    Region blocks; /* what is rendered: the region, and what else its blocks hold */
+    int most_rows; /* of a band */
+    Pixels pixels; /* of a band */
     Refinement refinement;
     cl_kernel kernel;
     RenderReport report; /* of what is done once */
 };
 
-/* Bytes of a value on the device. */
-static size_t value_bytes(const OpenclSession *session)
-{
-    return !session->linear ? 1 : session->precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float);
-}
-
-static void take_linear(const OpenclSession *session, const Pixels *pixels, const Parameters *band)
-{
-    double *out = pixels->linear + (size_t)band->first_row * (size_t)band->columns * 3;
-    size_t count = (size_t)band->band_rows * (size_t)band->columns * 3;
-    for (size_t i = 0; i < count; i++) {
-        out[i] =
-            session->precision == PRECISION_DOUBLE ? ((double *)pixels->read)[i] : (double)((float *)pixels->read)[i];
-        pixels->rgb[i] = colour_to_byte(out[i]);
-    }
-}
-
-static bool read_band(OpenclSession *session, const Pixels *pixels, const Parameters *band, RenderReport *report,
-                      Error *error)
-{
-    size_t values = (size_t)band->band_rows * (size_t)band->columns * 3;
-    if (!opencl_read(session, pixels->device, values * value_bytes(session), pixels->read, report, error))
-        return false;
-    if (pixels->linear)
-        take_linear(session, pixels, band);
-    return true;
-}
-
 static Parameters parameters_of(const OpenclScene *held)
 {
     Parameters parameters = opencl_parameters(&held->pruned.scene);
+    parameters.first_column = held->blocks.column;
+    parameters.band_columns = held->blocks.columns;
     parameters.no_skip = (int)held->session.no_skip;
     /* A bounce is weak where it cannot change a byte: that needs bytes, and pixels of one path each. */
     if (held->session.linear || held->session.adaptive)
@@ -90,7 +57,7 @@ static bool render_band(OpenclScene *held, Parameters *band, RenderReport *repor
 {
     OpenclSession *session = &held->session;
     int grid = held->pruned.scene.grid;
-    size_t across = (size_t)((band->columns + session->block_columns - 1) / session->block_columns);
+    size_t across = (size_t)((band->band_columns + session->block_columns - 1) / session->block_columns);
     size_t down = (size_t)((band->band_rows + session->block_rows - 1) / session->block_rows);
     band->grid = session->adaptive ? 1 : grid;
     if (!opencl_launch(session, &held->on_device, held->kernel, band, across * down, report, error))
@@ -99,57 +66,68 @@ static bool render_band(OpenclScene *held, Parameters *band, RenderReport *repor
     if (session->adaptive &&
         !opencl_refine(session, &held->on_device, held->kernel, &held->refinement, *band, report, error))
         return false;
-    return read_band(session, &held->pixels, band, report, error);
+    return opencl_pixels_read(&held->pixels, session, band, &held->region, report, error);
 }
 
 bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Error *error)
 {
     *report = held->report;
-    Parameters parameters = parameters_of(held);
-    int most = held->pixels.most_rows, band = FIRST_BAND_ROWS < most ? FIRST_BAND_ROWS : most;
+    Parameters band = parameters_of(held);
+    int most = held->most_rows, rows = FIRST_BAND_ROWS < most ? FIRST_BAND_ROWS : most;
     int least = held->session.block_rows > LEAST_BAND_ROWS ? held->session.block_rows : LEAST_BAND_ROWS;
-    for (int row = 0; row < parameters.rows; row += parameters.band_rows) {
-        parameters.first_row = row;
-        parameters.band_rows = band < parameters.rows - row ? band : parameters.rows - row;
+    int end = held->blocks.row + held->blocks.rows;
+    for (int row = held->blocks.row; row < end; row += band.band_rows) {
+        band.first_row = row;
+        band.band_rows = rows < end - row ? rows : end - row;
+        const Region part = opencl_pixels_part(&band, &held->region);
         double before = report->trace_ms;
-        if (!render_band(held, &parameters, report, error) ||
-            !sink.band(sink.user, row, parameters.band_rows, held->pixels.rgb, report, error))
+        if (!render_band(held, &band, report, error) ||
+            !sink.band(sink.user, part.row, part.rows, held->pixels.rgb, report, error))
             return false;
-        band = next_band(band, least, most, report->trace_ms - before);
+        rows = next_band(rows, least, most, report->trace_ms - before);
     }
     return true;
 }
 
+/* --- What is rendered --- */
+
+/* The region, widened to whole blocks of the picture: what a block's pixels have in common may decide the last bit of
+ * their colours, so that a block of a region must be a block of the whole picture. */
+static Region blocks_around(const OpenclSession *session, const Region *region, const Screen *screen)
+{
+    int across = session->block_columns, down = session->block_rows;
+    Region blocks = {region->column / across * across, region->row / down * down, 0, 0};
+    int right = (region->column + region->columns + across - 1) / across * across;
+    int bottom = (region->row + region->rows + down - 1) / down * down;
+    blocks.columns = (right < screen->columns ? right : screen->columns) - blocks.column;
+    blocks.rows = (bottom < screen->rows ? bottom : screen->rows) - blocks.row;
+    return blocks;
+}
+
 /* The most rows of a band: whole blocks of at most BAND_BYTES and OPENCL_MAX_ITEMS in all, at least one block. */
-static int band_limit(const OpenclSession *session, const Scene *scene)
+static int band_limit(const OpenclSession *session, const Region *blocks)
 {
     int pixel_bytes = session->adaptive ? 3 + REFINEMENT_BYTES : 3;
-    int rows = BAND_BYTES / (scene->screen.columns * pixel_bytes);
-    int across = (scene->screen.columns + session->block_columns - 1) / session->block_columns;
+    int rows = BAND_BYTES / (blocks->columns * pixel_bytes);
+    int across = (blocks->columns + session->block_columns - 1) / session->block_columns;
     if (rows > OPENCL_MAX_ITEMS / across * session->block_rows)
         rows = OPENCL_MAX_ITEMS / across * session->block_rows;
-    if (rows > scene->screen.rows)
-        rows = scene->screen.rows;
+    if (rows > blocks->rows)
+        rows = blocks->rows;
     rows = (rows + session->block_rows - 1) / session->block_rows * session->block_rows;
     return rows;
 }
 
 /* Room for a band, here and on the device. */
-static bool make_pixels(OpenclScene *held, double *linear, Error *error)
+static bool make_room(OpenclScene *held, const RenderSettings *settings, Error *error)
 {
     OpenclSession *session = &held->session;
-    Pixels *pixels = &held->pixels;
-    pixels->linear = linear;
-    pixels->most_rows = band_limit(session, &held->pruned.scene);
-    size_t values = (size_t)pixels->most_rows * (size_t)held->pruned.scene.screen.columns * 3,
-           bytes = values * value_bytes(session);
-    pixels->device = opencl_buffer(session, CL_MEM_READ_WRITE, bytes, NULL, error);
-    if (!pixels->device)
-        return false;
-    pixels->read = malloc(bytes);
-    pixels->rgb = session->linear ? malloc(values) : pixels->read;
-    return ((pixels->read && pixels->rgb) || error_memory(error, "a band of the picture")) &&
-           (!session->adaptive || opencl_refinement(&held->refinement, session, values / 3, error));
+    held->region = render_region(settings, &held->pruned.scene);
+    held->blocks = blocks_around(session, &held->region, &held->pruned.scene.screen);
+    held->most_rows = band_limit(session, &held->blocks);
+    size_t pixels = (size_t)held->most_rows * (size_t)held->blocks.columns;
+    return opencl_pixels_make(&held->pixels, session, pixels, settings->linear, error) &&
+           (!session->adaptive || opencl_refinement(&held->refinement, session, pixels, error));
 }
 
 static bool make_kernel(OpenclScene *held, Error *error)
@@ -205,7 +183,7 @@ static OpenclScene *hold(const Scene *scene, const RenderSettings *asked, bool s
         .single = single, .linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
     if (pruned_scene_make(&held->pruned, scene, settings, &held->report, error) &&
         opencl_prepare(&held->session, &held->pruned.scene, settings, &held->on_device, &held->report, error) &&
-        make_pixels(held, settings->linear, error) && make_kernel(held, error) &&
+        make_room(held, settings, error) && make_kernel(held, error) &&
         opencl_warm_up(&held->session, &held->on_device, held->kernel, parameters_of(held), &held->report, error))
         return held;
     opencl_release(held);
@@ -229,9 +207,7 @@ void opencl_release(OpenclScene *held)
     if (held->kernel)
         clReleaseKernel(held->kernel);
     opencl_refinement_free(&held->refinement);
-    if (held->pixels.rgb != held->pixels.read)
-        free(held->pixels.rgb);
-    free(held->pixels.read);
+    opencl_pixels_free(&held->pixels);
     opencl_close(&held->session);
     pruned_scene_free(&held->pruned);
     free(held);

@@ -8,9 +8,9 @@
 /* A scene on the device that the settings name, with its tree and its kernel, for one picture after another. */
 typedef struct OpenclScene OpenclScene;
 
-/* Puts a scene on the device; the scene, and what settings->linear points to, must outlive it. NULL, with the error
- * filled: no such device, no double on it, settings that the kernel cannot meet (with the way out), a kernel that does
- * not compile (with the compiler's log), memory, any failing call by name. */
+/* Puts a scene on the device, to render the region of the settings; the scene, and what settings->linear points to,
+ * must outlive it. NULL, with the error filled: no such device, no double on it, settings that the kernel cannot meet
+ * (with the way out), a kernel that does not compile (with the compiler's log), memory, any failing call by name. */
 OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Error *error);
 
 /* Renders it. The report tells, besides this picture, what was done once for all. Errors: memory, any failing call by

@@ -30,10 +30,10 @@ static long list_pixels(const Refinement *refinement, const Parameters *band)
     enum { SQUARE = 8 };
     long count = 0;
     for (int top = 0; top < band->band_rows; top += SQUARE)
-        for (int left = 0; left < band->columns; left += SQUARE)
+        for (int left = 0; left < band->band_columns; left += SQUARE)
             for (int row = top; row < top + SQUARE && row < band->band_rows; row++)
-                for (int column = left; column < left + SQUARE && column < band->columns; column++) {
-                    int pixel = row * band->columns + column;
+                for (int column = left; column < left + SQUARE && column < band->band_columns; column++) {
+                    int pixel = row * band->band_columns + column;
                     if (refinement->read_flags[pixel])
                         refinement->pixels[count++] = pixel;
                 }
@@ -44,7 +44,7 @@ static long list_pixels(const Refinement *refinement, const Parameters *band)
 static long write_list(OpenclSession *session, const Refinement *refinement, Parameters band, RenderReport *report,
                        Error *error)
 {
-    size_t pixels = (size_t)band.band_rows * (size_t)band.columns;
+    size_t pixels = (size_t)band.band_rows * (size_t)band.band_columns;
     if (!opencl_read(session, refinement->flags, pixels, refinement->read_flags, report, error))
         return -1;
     double start = clock_ms();

@@ -17,6 +17,7 @@ Parameters opencl_parameters(const Scene *scene)
     return (Parameters){
         .columns = scene->screen.columns,
         .rows = scene->screen.rows,
+        .band_columns = scene->screen.columns,
         .grid = scene->grid,
         .face_count = scene->face_count,
         .light_count = scene->light_count,
@@ -90,7 +91,7 @@ static bool build_tree(const OpenclSession *session, Preparation *made, RenderRe
     DevicePlan plan = {made->closed, session->lanes > 4 ? session->lanes : 4, settings->threads};
     bool no_tree = settings->accel == ACCEL_AUTO && skip_wanted(settings, SKIP_TREE);
     AccelKind kind = settings->accel;
-    if (kind == ACCEL_AUTO && session->single && accel_sorting_pays(made->scene))
+    if (kind == ACCEL_AUTO && session->single && accel_sorting_pays(made->scene, settings))
         kind = ACCEL_LBVH;
     else if (kind == ACCEL_AUTO && !no_tree)
         kind = ACCEL_BVH;
@@ -170,6 +171,17 @@ static bool write_launch(OpenclSession *session, const SceneOnDevice *on_device,
                      clEnqueueWriteBuffer(session->queue, on_device->counters, CL_TRUE, 0, sizeof zeros, zeros, 0, NULL,
                                           NULL),
                      "clEnqueueWriteBuffer");
+}
+
+bool opencl_read_rectangle(OpenclSession *session, cl_mem buffer, Rectangle r, void *data, RenderReport *report,
+                           Error *error)
+{
+    double start = clock_ms();
+    const size_t from[3] = {r.left, r.top, 0}, to[3] = {0, 0, 0}, size[3] = {r.bytes, r.rows, 1};
+    cl_int status = clEnqueueReadBufferRect(session->queue, buffer, CL_TRUE, from, to, size, r.row_bytes, 0, r.bytes, 0,
+                                            data, 0, NULL, NULL);
+    report->readback_ms += clock_ms() - start;
+    return opencl_ok(error, status, "clEnqueueReadBufferRect");
 }
 
 bool opencl_read(OpenclSession *session, cl_mem buffer, size_t bytes, void *data, RenderReport *report, Error *error)

@@ -16,7 +16,7 @@ typedef struct SceneOnDevice {
 bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings,
                     SceneOnDevice *on_device, RenderReport *report, Error *error);
 
-/* What the kernels are told of the scene; the caller adds the band or the number of rays. */
+/* What the kernels are told of the scene; the caller adds the rows of the band or the number of rays. */
 Parameters opencl_parameters(const Scene *scene);
 
 /* A launch without work: some devices compile a kernel when it first runs, and that is no part of tracing. Then the
@@ -30,5 +30,16 @@ bool opencl_launch(OpenclSession *session, const SceneOnDevice *on_device, cl_ke
 
 /* Copies a buffer to the host; adds the time to the report. */
 bool opencl_read(OpenclSession *session, cl_mem buffer, size_t bytes, void *data, RenderReport *report, Error *error);
+
+/* A part of each of some rows of a buffer, in bytes. */
+typedef struct Rectangle {
+    size_t row_bytes;   /* of a whole row */
+    size_t left, bytes; /* where the part begins in its row, and how much it is */
+    size_t top, rows;
+} Rectangle;
+
+/* The same for a rectangle of it, whose parts then stand one after the other. */
+bool opencl_read_rectangle(OpenclSession *session, cl_mem buffer, Rectangle r, void *data, RenderReport *report,
+                           Error *error);
 
 #endif

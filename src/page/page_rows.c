@@ -67,7 +67,7 @@ bool page_draw_map(Page *page, MapKind kind)
 {
     Image image;
     MapScale scale = {0, 0};
-    bool done = map_draw(&image, &page->scene, kind, ACCEL_AUTO, 1, &scale, &page->error);
+    bool done = map_draw(&image, &page->scene, kind, &(RenderSettings){.threads = 1}, &scale, &page->error);
     if (done && !make_room(page, image.columns, image.rows))
         done = error_memory(&page->error, "the map");
     for (size_t k = 0; done && k < (size_t)image.columns * (size_t)image.rows; k++) {

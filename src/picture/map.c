@@ -15,6 +15,7 @@ typedef struct Map {
     const Scene *scene;
     const Accel *accel;
     MapKind kind;
+    Region region;
     float *values;      /* one per pixel, but for normals and faces */
     unsigned char *rgb; /* at once, for normals and faces */
 } Map;
@@ -61,9 +62,11 @@ static Vec3 colour_of_number(int number)
                 0.25 + 0.75 * (hash >> 16 & 255) / 255);
 }
 
-static void map_pixel(const Map *map, int column, int row)
+/* The pixel of the region that is `at` by its rows. */
+static void map_pixel(const Map *map, size_t at)
 {
-    size_t at = (size_t)row * (size_t)map->scene->screen.columns + (size_t)column;
+    int column = map->region.column + (int)(at % (size_t)map->region.columns);
+    int row = map->region.row + (int)(at / (size_t)map->region.columns);
     if (map->kind == MAP_RAYS || map->kind == MAP_TIME || map->kind == MAP_TESTS) {
         map->values[at] = (float)cost_of(map, column, row);
         return;
@@ -87,8 +90,9 @@ static void map_row(void *data, int row, int thread)
 {
     const Map *map = data;
     (void)thread;
-    for (int column = 0; column < map->scene->screen.columns; column++)
-        map_pixel(map, column, row);
+    size_t columns = (size_t)map->region.columns, first = (size_t)row * columns;
+    for (size_t column = 0; column < columns; column++)
+        map_pixel(map, first + column);
 }
 
 static MapScale range_of(const float *values, size_t count)
@@ -135,23 +139,27 @@ bool map_has_scale(MapKind kind)
     return kind != MAP_NORMAL && kind != MAP_FACE;
 }
 
-bool map_draw(Image *image, const Scene *scene, MapKind kind, AccelKind accel_kind, int threads, MapScale *scale,
+bool map_draw(Image *image, const Scene *scene, MapKind kind, const RenderSettings *settings, MapScale *scale,
               Error *error)
 {
-    size_t count = (size_t)scene->screen.columns * (size_t)scene->screen.rows;
+    const Region region = render_region(settings, scene);
+    size_t count = (size_t)region.columns * (size_t)region.rows;
     bool colours = !map_has_scale(kind);
-    *image = (Image){scene->screen.columns, scene->screen.rows, calloc(count, 3)};
-    Map map = {
-        .scene = scene, .kind = kind, .rgb = image->rgb, .values = colours ? NULL : calloc(count, sizeof(float))};
+    *image = (Image){region.columns, region.rows, calloc(count, 3)};
+    Map map = {.scene = scene,
+               .kind = kind,
+               .region = region,
+               .rgb = image->rgb,
+               .values = colours ? NULL : calloc(count, sizeof(float))};
     if (!map.rgb || (!colours && !map.values)) {
         free(map.values);
         return error_memory(error, "the map");
     }
     Accel accel;
-    bool ok = accel_build(&accel, scene, accel_kind, threads, error);
+    bool ok = accel_build(&accel, scene, settings->accel, settings->threads, error);
     if (ok) {
         map.accel = &accel;
-        parallel_for(threads, scene->screen.rows, map_row, &map);
+        parallel_for(settings->threads, region.rows, map_row, &map);
         *scale = colours ? (MapScale){0, 0} : colour_values(&map, count, *scale);
     }
     accel_free(&accel);

@@ -16,10 +16,10 @@ typedef struct MapScale {
 /* Whether its colours run between two numbers: all but normals and faces. */
 bool map_has_scale(MapKind kind);
 
-/* Draws the map of the scene, by the scale that is given, or, where its high is 0, by that of its own values, which it
- * then receives, on `threads` threads (0: one per processor). The caller frees the image, also after a
- * failure, which is want of memory. */
-bool map_draw(Image *image, const Scene *scene, MapKind kind, AccelKind accel, int threads, MapScale *scale,
+/* Draws the map of the picture, or of the region that the settings name, with their tree and on so many threads as they
+ * say, by the scale that is given, or, where its high is 0, by that of the map's own values, which it then receives.
+ * The caller frees the image, also after a failure, which is want of memory. */
+bool map_draw(Image *image, const Scene *scene, MapKind kind, const RenderSettings *settings, MapScale *scale,
               Error *error);
 
 #endif

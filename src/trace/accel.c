@@ -48,9 +48,10 @@ AccelKind accel_name(const Accel *accel)
     return accel->sorted ? ACCEL_LBVH : accel->kind;
 }
 
-bool accel_sorting_pays(const Scene *scene)
+bool accel_sorting_pays(const Scene *scene, const RenderSettings *settings)
 {
-    double rays = (double)scene->screen.columns * scene->screen.rows * scene->grid * scene->grid;
+    const Region region = render_region(settings, scene);
+    double rays = (double)region.columns * region.rows * scene->grid * scene->grid;
     return scene->face_count >= LBVH_FACES && rays < (double)LBVH_RAYS * scene->face_count;
 }
 

@@ -1,4 +1,4 @@
-/* Whole pictures with the reference tracer. A band of rows is shared out to threads, row by row; every row
+/* Pictures with the reference tracer. A band of rows is shared out to threads, row by row; every row
  * is computed by one thread alone, so the bytes cannot depend on how many there are. */
 #include "trace/reference_render.h"
 
@@ -22,7 +22,8 @@ typedef struct Band {
     const Accel *accel;
     unsigned char *rgb;
     const RenderSettings *settings;
-    int first_row;
+    Region region;
+    int first_row;        /* in the region */
     RenderReport *counts; /* one per thread: what it has counted in this band */
 } Band;
 
@@ -49,12 +50,13 @@ static Vec3 trace_pixel(const Band *band, RenderReport *counts, int column, int 
 static void render_row(void *data, int band_row, int thread)
 {
     const Band *band = data;
-    double *linear = band->settings->linear; /* the whole picture's, or NULL */
-    size_t columns = (size_t)band->scene->screen.columns;
+    double *linear = band->settings->linear; /* the whole region's, or NULL */
+    size_t columns = (size_t)band->region.columns;
     int row = band->first_row + band_row;
     for (size_t column = 0; column < columns; column++) {
         unsigned char *rgb = band->rgb + ((size_t)band_row * columns + column) * 3;
-        Vec3 colour = trace_pixel(band, &band->counts[thread], (int)column, row, rgb);
+        Vec3 colour =
+            trace_pixel(band, &band->counts[thread], band->region.column + (int)column, band->region.row + row, rgb);
         if (linear)
             memcpy(linear + ((size_t)row * columns + column) * 3, &colour, sizeof colour);
     }
@@ -80,13 +82,15 @@ int reference_try(const Scene *scene, const Accel *accel, const RenderSettings *
                   RenderReport *report)
 {
     const Band band = {.scene = scene, .accel = accel, .settings = settings};
-    int columns = scene->screen.columns, pixels = columns * scene->screen.rows, done = 0;
+    const Region region = render_region(settings, scene);
+    int pixels = region.columns * region.rows, done = 0;
     int step = reference_spread(pixels);
     double start = clock_ms();
     memset(report, 0, sizeof *report);
     for (long long place = 0; done == 0 || (done < most && clock_ms() - start < most_ms); done++) {
         unsigned char rgb[3];
-        trace_pixel(&band, report, (int)(place % columns), (int)(place / columns), rgb);
+        trace_pixel(&band, report, region.column + (int)(place % region.columns),
+                    region.row + (int)(place / region.columns), rgb);
         place = (place + step) % pixels;
     }
     report->trace_ms = clock_ms() - start;
@@ -97,7 +101,8 @@ int reference_try(const Scene *scene, const Accel *accel, const RenderSettings *
 static void foresee(const Scene *scene, const Accel *accel, const RenderSettings *settings, int threads)
 {
     const Notice *notice = &settings->notice;
-    int pixels = scene->screen.columns * scene->screen.rows;
+    const Region region = render_region(settings, scene);
+    int pixels = region.columns * region.rows;
     RenderReport trial;
     if (!notice->foresee)
         return;
@@ -107,7 +112,7 @@ static void foresee(const Scene *scene, const Accel *accel, const RenderSettings
         notice->foresee(notice->user, seconds);
 }
 
-/* --- Whole pictures --- */
+/* --- Pictures --- */
 
 static void add_counts(RenderReport *report, const RenderReport *counts)
 {
@@ -135,12 +140,13 @@ static void render_band(Band *band, int rows, RenderReport *report)
 static bool render_bands(const Scene *scene, const Accel *accel, const RenderSettings *settings, BandSink sink,
                          RenderReport *report, Error *error)
 {
-    Band band = {.scene = scene, .accel = accel, .settings = settings};
-    band.rgb = malloc((size_t)scene->screen.columns * 3 * BAND_ROWS);
+    const Region region = render_region(settings, scene);
+    Band band = {.scene = scene, .accel = accel, .settings = settings, .region = region};
+    band.rgb = malloc((size_t)region.columns * 3 * BAND_ROWS);
     band.counts = malloc((size_t)report->threads * sizeof *band.counts);
     bool ok = (band.rgb && band.counts) || error_memory(error, "a band of the picture");
-    for (int row = 0; ok && row < scene->screen.rows; row += BAND_ROWS) {
-        int rows = scene->screen.rows - row < BAND_ROWS ? scene->screen.rows - row : BAND_ROWS;
+    for (int row = 0; ok && row < region.rows; row += BAND_ROWS) {
+        int rows = region.rows - row < BAND_ROWS ? region.rows - row : BAND_ROWS;
         band.first_row = row;
         render_band(&band, rows, report);
         ok = sink.band(sink.user, row, rows, band.rgb, report, error);

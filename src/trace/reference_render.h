@@ -1,4 +1,4 @@
-/* Whole pictures with the reference tracer: rows shared out to threads, bands handed on in order. */
+/* Pictures with the reference tracer: rows shared out to threads, bands handed on in order. */
 #ifndef RECTRAY_REFERENCE_RENDER_H
 #define RECTRAY_REFERENCE_RENDER_H
 
@@ -13,7 +13,7 @@ bool reference_render(const Scene *scene, const RenderSettings *settings, BandSi
 /* A step through the numbers of `count` pixels that reaches all of them, and spreads any few of them evenly. */
 int reference_spread(int count);
 
-/* Renders single pixels that are spread over the picture, `most` of them or as many as fit into `most_ms` milliseconds,
+/* Renders single pixels that are spread over the region, `most` of them or as many as fit into `most_ms` milliseconds,
  * on one thread. Returns how many, at least 1. The report receives their counts and their time. */
 int reference_try(const Scene *scene, const Accel *accel, const RenderSettings *settings, int most, double most_ms,
                   RenderReport *report);

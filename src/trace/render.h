@@ -1,10 +1,11 @@
 /* What both backends take and give: settings, counters, and bands of finished pixels.
  * A backend renders rows from the top and hands them on as they are done, so that a picture larger than
- * the memory can be written. */
+ * the memory can be written. It renders the whole picture, or a region of it. */
 #ifndef RECTRAY_RENDER_H
 #define RECTRAY_RENDER_H
 
 #include "base/error.h"
+#include "scene/scene.h"
 
 #include "kernels/shared/skips.h"
 
@@ -52,6 +53,12 @@ typedef struct Spent {
     void *user;
 } Spent;
 
+/* A rectangle of the picture's pixels. */
+typedef struct Region {
+    int column, row;   /* of its top left pixel */
+    int columns, rows; /* 0: it is the whole picture */
+} Region;
+
 typedef struct RenderSettings {
     Precision precision; /* of the kernel and of textbook arithmetic; the reference is double otherwise */
     KernelKind kernel;
@@ -64,7 +71,8 @@ typedef struct RenderSettings {
     unsigned no_skip; /* bit SKIP_...: that work is done although the scene does not need it */
     Notice notice;
     Spent spent;
-    double *linear; /* rows * columns * 3 colours, which a backend fills before they are clamped; NULL: not wanted */
+    Region region;  /* of the picture, within it: nothing else is rendered, and its pixels are those of the picture */
+    double *linear; /* of the region: rows * columns * 3 colours, filled before they are clamped; NULL: not wanted */
 } RenderSettings;
 
 typedef struct RayCounts {
@@ -90,13 +98,17 @@ typedef struct RenderReport {
     char build_options[320];
 } RenderReport;
 
-/* Receives finished rows: rgb holds rows * columns * 3 bytes. Bands come from the top, without gaps. `so_far` tells
- * what the backend has done up to this band. Returns false, with the error filled, to stop the rendering. */
+/* Receives finished rows of the region, counted from its top: rgb holds rows * columns * 3 bytes. Bands come from the
+ * top, without gaps. `so_far` tells what the backend has done up to this band. Returns false, with the error filled, to
+ * stop the rendering. */
 typedef struct BandSink {
     bool (*band)(void *user, int first_row, int rows, const unsigned char *rgb, const RenderReport *so_far,
                  Error *error);
     void *user;
 } BandSink;
+
+/* The region of the settings, which is all of the picture where they name none. */
+Region render_region(const RenderSettings *settings, const Scene *scene);
 
 /* One intersection, for `cast`: face is an index into Scene.faces, -1 for a miss. */
 typedef struct CastHit {

@@ -139,6 +139,11 @@ STATUS_CALL(clEnqueueReadBuffer,
             (cl_command_queue queue, cl_mem buffer, cl_bool wait, size_t offset, size_t size, void *data, cl_uint count,
              const cl_event *events, cl_event *event),
             (queue, buffer, wait, offset, size, data, count, events, event))
+STATUS_CALL(clEnqueueReadBufferRect,
+            (cl_command_queue queue, cl_mem buffer, cl_bool wait, const size_t *from, const size_t *to,
+             const size_t *size, size_t from_row, size_t from_slice, size_t to_row, size_t to_slice, void *data,
+             cl_uint count, const cl_event *events, cl_event *event),
+            (queue, buffer, wait, from, to, size, from_row, from_slice, to_row, to_slice, data, count, events, event))
 STATUS_CALL(clEnqueueNDRangeKernel,
             (cl_command_queue queue, cl_kernel kernel, cl_uint dimensions, const size_t *offset, const size_t *global,
              const size_t *local, cl_uint count, const cl_event *events, cl_event *event),
