@@ -26,8 +26,7 @@ void accel_free(Accel *accel);
 /* What a user calls the tree that there is: ACCEL_LBVH where it was made by sorting. */
 AccelKind accel_name(const Accel *accel);
 
-/* Are an ACCEL_LBVH and one picture of the scene made sooner than an ACCEL_BVH and the picture? Of the picture, what the
- * settings want. */
+/* Are an ACCEL_LBVH and what the settings want of one picture made sooner than an ACCEL_BVH and the same? */
 bool accel_sorting_pays(const Scene *scene, const RenderSettings *settings);
 
 /* NULL, ACCEL_NONE and an Accel that was never built have none. */
