@@ -167,7 +167,7 @@ static void options_should_refuse_those_of_other_commands(void)
     assert_refused("check a -s 3x3", "check takes no --size; that is an option of: render trace explore bench");
     assert_refused(
         "cast a --output b",
-        "cast takes no --output; that is an option of: render trace explore compare generate bench tree frame");
+        "cast takes no --output; that is an option of: render trace explore compare generate bench tree frame join");
 }
 
 static void options_should_be_known_by_their_unambiguous_beginning(void)

@@ -19,6 +19,7 @@ bool command_bench_error(const Options *options, Error *error); /* `bench error`
 bool command_bench_kernels(const Options *options, Error *error);
 bool command_tree(const Options *options, Error *error);
 bool command_frame(const Options *options, Error *error);
+bool command_join(const Options *options, Error *error);
 bool command_generate(const Options *options, Error *error);
 bool command_kernels(const Options *options, Error *error);
 bool command_help(const Options *options, Error *error);

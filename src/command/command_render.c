@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "command/command.h"
 #include "command/hint_words.h"
+#include "command/part.h"
 #include "command/progress.h"
 #include "command/region.h"
 #include "command/render_frames.h"
@@ -63,8 +64,9 @@ static bool paint_band(void *user, int first_row, int rows, const unsigned char 
     return ok;
 }
 
-/* The scene's name with ".png" for its extension, in the working directory. The caller frees it. */
-static char *default_output(const char *scene_path, Error *error)
+/* The scene's name with ".png" for its extension, of a part ".3-of-8.png", in the working directory. The caller frees
+ * it. */
+static char *default_output(const char *scene_path, OptionPart part, Error *error)
 {
     if (text_is_stream(scene_path)) {
         error_set(error, ERROR_USAGE, "a scene that comes through a pipe has no name for its picture; give -o FILE");
@@ -74,10 +76,13 @@ static char *default_output(const char *scene_path, Error *error)
     const char *name = slash ? slash + 1 : scene_path;
     const char *dot = strrchr(name, '.');
     int length = (int)(dot && dot != name ? dot - name : (long)strlen(name));
-    size_t size = (size_t)length + sizeof ".png";
+    char ending[48] = ".png";
+    if (part.count > 0)
+        snprintf(ending, sizeof ending, ".%d-of-%d.png", part.number, part.count);
+    size_t size = (size_t)length + sizeof ending;
     char *output = malloc(size);
     if (output)
-        snprintf(output, size, "%.*s.png", length, name);
+        snprintf(output, size, "%.*s%s", length, name, ending);
     else
         error_memory(error, "the picture's name");
     return output;
@@ -187,6 +192,9 @@ static bool choose_kind(const Options *options, const char *output, ImageKind *k
     bool linear = kind->format == IMAGE_PFM || kind->depth == 16;
     if (kind->format == IMAGE_PFM && kind->depth == 16)
         return error_set(error, ERROR_USAGE, "--depth is of png and ppm; a pfm has 32-bit floats");
+    if (options->part.count > 0 && kind->format != IMAGE_PNG)
+        return error_set(error, ERROR_USAGE,
+                         "a part is a PNG, which tells its place; `rectray join` writes other formats");
     if (linear && options->settings.arithmetic == ARITHMETIC_TEXTBOOK && options->backend == BACKEND_REFERENCE)
         return error_set(error, ERROR_USAGE,
                          "textbook arithmetic of the reference gives 8 bits; choose .png or .ppm, or "
@@ -222,9 +230,15 @@ static bool paint(const Options *options, Scene *scene, ImageKind kind, Painter 
 /* Traces the scene into the file `output`. */
 static bool render(const Options *options, Scene *scene, const char *output, Stats *stats, Error *error)
 {
-    ImageKind kind;
+    ImageKind kind = {.part = NULL};
+    char note[PART_NOTE_ROOM];
     if (!choose_kind(options, output, &kind, error))
         return false;
+    if (options->part.count > 0) {
+        const PartNote part = part_note(options, scene, precision_of(options));
+        part_note_write(note, &part);
+        kind.part = note;
+    }
     double start = clock_ms();
     const Region region = render_region(&options->settings, scene);
     Painter painter = {.region = region,
@@ -248,7 +262,8 @@ static bool render(const Options *options, Scene *scene, const char *output, Sta
 
 static bool render_scene(const Options *options, Scene *scene, Stats *stats, double start_ms, Error *error)
 {
-    char *output = options->output ? text_copy(options->output, error) : default_output(options->operands[0], error);
+    char *output = options->output ? text_copy(options->output, error)
+                                   : default_output(options->operands[0], options->part, error);
     bool to_stdout = output && strcmp(output, "-") == 0;
     bool done =
         output && spare_scene(options->operands[0], output, error) && render(options, scene, output, stats, error);
@@ -272,8 +287,20 @@ static bool print_stage(const char *path, Error *error)
     return text != NULL;
 }
 
-static bool render_once(const Options *options, Error *error)
+/* What --part asks for, as a region. */
+static bool choose_part(Options *options, const Scene *scene, Error *error)
 {
+    if (options->part.count == 0)
+        return true;
+    if (!part_check(options, scene->screen.rows, "rows", error))
+        return false;
+    options->settings.region = part_region(options->part, scene);
+    return true;
+}
+
+static bool render_once(const Options *given, Error *error)
+{
+    Options own = *given, *options = &own;
     double start = clock_ms();
     Scene scene;
     if (!options_agree(options, error))
@@ -287,8 +314,9 @@ static bool render_once(const Options *options, Error *error)
     stats.parse_ms = clock_ms() - start;
     options_note_unused(options);
     scene_override(&scene, options);
-    bool done = region_check(options, &scene, error) && render_maps_check(options, error) &&
-                render_scene(options, &scene, &stats, start, error) && render_maps_draw(options, &scene, error);
+    bool done = choose_part(options, &scene, error) && region_check(options, &scene, error) &&
+                render_maps_check(options, error) && render_scene(options, &scene, &stats, start, error) &&
+                render_maps_draw(options, &scene, error);
     scene_free(&scene);
     return done;
 }

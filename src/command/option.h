@@ -8,7 +8,8 @@
 #include "trace/render.h"
 #include "walkthrough/walkthrough_formats.h"
 
-enum { MAX_OPERANDS = 16 };
+/* Of commands that take several; `join` takes as many parts as a picture has rows. */
+enum { MAX_OPERANDS = 16, MAX_PARTS = 16384 };
 
 /* Whether each pixel gets the whole grid, or only where it needs it. */
 typedef enum SamplingChoice { SAMPLING_OF_SCENE, SAMPLING_UNIFORM, SAMPLING_ADAPTIVE } SamplingChoice;
@@ -32,13 +33,18 @@ typedef struct OptionMap {
     const char *file;
 } OptionMap;
 
+/* Part `number` of `count`, from 1. */
+typedef struct OptionPart {
+    int number, count;
+} OptionPart;
+
 typedef struct TracePixel {
     int column, row;
 } TracePixel;
 
 /* What the user asked for. The strings are those of argv. */
 typedef struct Options {
-    const char *operands[MAX_OPERANDS]; /* scenes, the pictures to compare, a kind of scene */
+    const char *const *operands; /* scenes, the pictures to compare, a kind of scene */
     int operand_count;
     const char *output;        /* NULL: not given; "-": stdout */
     const char *rays;          /* NULL or "-": stdin */
@@ -55,6 +61,7 @@ typedef struct Options {
     int edit_count;
     int frame;                   /* of the scene's animation */
     int first_frame, last_frame; /* to render; last -1: to the end */
+    OptionPart part;             /* count 0: not given */
     OptionMap maps[MAPS_MAX];
     int map_count;
     bool mark_given;

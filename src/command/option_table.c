@@ -19,13 +19,15 @@
 
 /* clang-format off */
 const Option option_table[] = {
-    {"output", 'o', "FILE", "render trace explore compare generate bench tree frame",
+    {"output", 'o', "FILE", "render trace explore compare generate bench tree frame join",
      "write the output there; - is standard output",
      TEXT(output), .expects = "the name of a file, or - for standard output"},
     {"size", 's', "COLUMNSxROWS", "render trace explore bench", "pixels of the picture, instead of the scene's",
      OWN(option_set_size), .expects = "two whole numbers from 1 to 16384, such as 640x480"},
     {"region", 0, "COLUMN,ROW,COLUMNSxROWS", "render", "render only this part of the picture",
      OWN(option_set_region), .expects = "a corner and a size in pixels, such as 320,240,64x48"},
+    {"part", 0, "K/N", "render", "the K-th of N bands of rows, for `rectray join`", OWN(option_set_part),
+     .expects = "a part and how many there are, such as 3/8"},
     {"grid", 'g', "N", "render trace explore bench", "N x N rays per pixel, instead of the scene's",
      OWN(option_set_grid), .expects = "a whole number from 1 to 16"},
     {"sampling", 0, "HOW", "render trace", "uniform:N as --grid; adaptive[:N]: 16 rays (N = 8) where needed",
@@ -136,7 +138,7 @@ const Option option_table[] = {
      .expects = "the name of a folder"},
     {"as", 0, "FORMAT", "help", "text (default); man: a manual page; bash, zsh, fish: completion",
      WORD(help_format, option_help_formats)},
-    {"quiet", 'q', NULL, "render trace explore cast check compare bench generate devices tree kernels frame",
+    {"quiet", 'q', NULL, "render trace explore cast check compare bench generate devices tree kernels frame join",
      "no messages but errors", FLAG(quiet)},
     {"help", 'h', NULL, "", "show this help", FLAG(help)},
     {"version", 'V', NULL, "", "show the version", FLAG(version)},

@@ -119,6 +119,13 @@ bool option_set_region(Options *o, const char *value)
     return at && option_read_int(at + 1, 1, SCENE_MAX_PIXELS, '\0', &region->rows);
 }
 
+/* "K/N" */
+bool option_set_part(Options *o, const char *value)
+{
+    const char *slash = option_read_int(value, 1, MAX_PARTS, '/', &o->part.number);
+    return slash && option_read_int(slash + 1, 1, MAX_PARTS, '\0', &o->part.count) && o->part.number <= o->part.count;
+}
+
 bool option_set_mark(Options *o, const char *value)
 {
     o->mark_given = true;

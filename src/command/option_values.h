@@ -14,6 +14,7 @@ bool option_set_grid(Options *o, const char *value);
 bool option_set_sampling(Options *o, const char *value);
 bool option_set_map(Options *o, const char *value);
 bool option_set_region(Options *o, const char *value);
+bool option_set_part(Options *o, const char *value);
 bool option_set_mark(Options *o, const char *value);
 bool option_set_map_scale(Options *o, const char *value);
 bool option_set_camera(Options *o, const char *value);

@@ -204,15 +204,13 @@ static bool take_operands(Options *options, const Command *command, int count, c
     if (count > command->operands_max)
         return error_set(error, ERROR_USAGE, "%s does not know what to do with '%s'; `rectray %s --help` tells more",
                          command->name, operands[command->operands_max], command->name);
-    for (int i = 0; i < count; i++)
-        options->operands[i] = operands[i];
+    options->operands = (const char *const *)operands;
     options->operand_count = count;
     return true;
 }
 
 bool options_parse(Options *options, const Command *command, int argc, char **argv, Error *error)
 {
-    assert(command->operands_max <= MAX_OPERANDS);
     Grammar grammar = grammar_of(command);
     *options = (Options){
         .settings.device = -1, .settings.shift = SCENE_SHIFT, .bounces = -1, .blocked_light = -1, .picture_format = -1};

@@ -5,6 +5,8 @@
 #include "base/output.h"
 #include "base/text.h"
 #include "command/frame_names.h"
+#include "command/part.h"
+#include "command/region.h"
 #include "command/scene_open.h"
 #include "command/scene_override.h"
 #include "picture/film.h"
@@ -15,7 +17,7 @@
 
 /* What is rendered, and what has been. */
 typedef struct Frames {
-    const Options *options;
+    const Options *options; /* as for one picture: without --part */
     RenderFrame render;
     OpenFilm opened;
     char *pattern; /* NULL: they become a film */
@@ -85,15 +87,26 @@ static bool choose_output(Frames *frames, Error *error)
     return frames->pattern && frame_names_check(frames->pattern, error);
 }
 
-static bool choose_frames(Frames *frames, Error *error)
+/* The frames that are asked for, or the part of them. */
+static bool choose_frames(Frames *frames, const Options *asked, Error *error)
 {
     int count = frames->opened.film.animation.frames;
     frames->first = frames->options->first_frame;
     frames->last = frames->options->last_frame;
     if (!frames->options->frames_given || frames->last < 0)
         frames->last = count - 1;
-    return frames->last < count || error_set(error, ERROR_USAGE, "there is no frame %d: those of %s are 0 to %d",
-                                             frames->last, frames->options->operands[0], count - 1);
+    if (frames->last >= count)
+        return error_set(error, ERROR_USAGE, "there is no frame %d: those of %s are 0 to %d", frames->last,
+                         frames->options->operands[0], count - 1);
+    if (asked->part.count == 0)
+        return true;
+    int frames_asked = frames->last - frames->first + 1;
+    if (!part_check(asked, frames_asked, "frames", error))
+        return false;
+    PartRange range = part_range(asked->part, frames_asked);
+    frames->first += range.first;
+    frames->last = frames->first + range.count - 1;
+    return true;
 }
 
 /* --- Rendering --- */
@@ -106,7 +119,8 @@ static bool is_there(const Frames *frames, const char *name)
     Error unknown = {.kind = ERROR_NONE};
     if (options->picture_format < 0 && !image_format_of(name, &kind.format, &unknown))
         return false;
-    return image_is_whole(name, kind, frames->scene.screen.columns, frames->scene.screen.rows);
+    const Region region = render_region(&options->settings, &frames->scene);
+    return image_is_whole(name, kind, region.columns, region.rows);
 }
 
 static bool spare_scene(const Frames *frames, const char *name, Error *error)
@@ -123,6 +137,8 @@ static bool read_frame(Frames *frames, int frame, Error *error)
     if (!scene_film_frame(&frames->opened.film, frame, &frames->scene, error))
         return false;
     scene_override(&frames->scene, frames->options);
+    if (!region_check(frames->options, &frames->scene, error))
+        return false;
     return !first || scene_open_tell(&frames->scene.notes, frames->options, false, error);
 }
 
@@ -146,26 +162,26 @@ static bool write_picture(Frames *frames, int frame, Error *error)
 static bool write_film(Frames *frames, Error *error)
 {
     const Options *options = frames->options;
-    const Screen *screen = &frames->scene.screen;
+    const Region region = render_region(&options->settings, &frames->scene);
     Options own = *options;
     Stats stats = {.total_ms = 0};
     own.picture_format = IMAGE_RAW;
     own.quiet = own.quiet || frames->rendered > 0;
     if (!frames->film && spare_scene(frames, options->output, error))
         frames->film =
-            film_open(options->output, screen->columns, screen->rows, frames->opened.film.animation.fps, error);
+            film_open(options->output, region.columns, region.rows, frames->opened.film.animation.fps, error);
     frames->rendered++;
     return frames->film && frames->render(&own, &frames->scene, film_pipe(frames->film), &stats, error);
 }
 
 static void tell(const Frames *frames, double ms)
 {
-    const Screen *screen = &frames->scene.screen;
+    const Region region = render_region(&frames->options->settings, &frames->scene);
     if (frames->options->quiet)
         return;
     fprintf(stderr, "%s: %d frame%s of %d x %d pixels in %.2f s",
             frames->pattern ? frames->pattern : frames->options->output, frames->rendered,
-            frames->rendered == 1 ? "" : "s", screen->columns, screen->rows, ms / 1e3);
+            frames->rendered == 1 ? "" : "s", region.columns, region.rows, ms / 1e3);
     if (frames->options->resume)
         fprintf(stderr, "; %d were there", frames->skipped);
     fputc('\n', stderr);
@@ -214,10 +230,12 @@ bool render_frames_wanted(const Options *options)
 
 bool render_frames(const Options *options, RenderFrame render, Error *error)
 {
-    Frames frames = {.options = options, .render = render};
+    Options own = *options;
+    own.part = (OptionPart){.count = 0};
+    Frames frames = {.options = &own, .render = render};
     bool done = check_options(options, error) && options_agree(options, error) &&
                 scene_open_film(&frames.opened, options, error) && choose_output(&frames, error) &&
-                choose_frames(&frames, error) && render_all(&frames, error);
+                choose_frames(&frames, options, error) && render_all(&frames, error);
     scene_free(&frames.scene);
     scene_close_film(&frames.opened);
     free(frames.pattern);

@@ -15,7 +15,8 @@ typedef struct ImageWriter ImageWriter;
 
 typedef struct ImageKind {
     ImageFormat format;
-    int depth; /* bits a channel, 8 or 16 */
+    int depth;        /* bits a channel, 8 or 16 */
+    const char *part; /* of a PNG that is a part of a picture: its note, part_note.h; else NULL */
 } ImageKind;
 
 /* Opens a picture of RGB, 8 bits each, for writing, in the format that the path's ending names. NULL, so that nobody

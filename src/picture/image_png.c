@@ -3,6 +3,8 @@
  * the jump is changed after setjmp. */
 #include "picture/image_png.h"
 
+#include "picture/part_note.h"
+
 #include <assert.h>
 #include <errno.h>
 #include <isa-l/igzip_lib.h>
@@ -130,25 +132,36 @@ static PngWriter *writer_new(Output *output, int columns, int rows, int depth)
     return NULL;
 }
 
-static bool write_header(PngWriter *writer, Error *error)
+/* The note of a part stands before its rows, so that it is read without them. */
+static void set_part(PngWriter *writer, char *note)
 {
+    png_text text = {.compression = PNG_TEXT_COMPRESSION_NONE, .key = PART_NOTE_KEYWORD, .text = note};
+    png_set_text(writer->png, writer->info, &text, 1);
+}
+
+static bool write_header(PngWriter *writer, const char *part, Error *error)
+{
+    char note[PART_NOTE_ROOM];
+    snprintf(note, sizeof note, "%s", part ? part : "");
     if (setjmp(png_jmpbuf(writer->png)))
         return cannot_write(writer, error);
     png_set_write_fn(writer->png, writer, on_data, on_flush);
     png_set_IHDR(writer->png, writer->info, (png_uint_32)writer->columns, (png_uint_32)writer->rows_left, writer->depth,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (part)
+        set_part(writer, note);
     png_write_info(writer->png, writer->info);
     return true;
 }
 
-PngWriter *png_writer_open(Output *output, int columns, int rows, int depth, Error *error)
+PngWriter *png_writer_open(Output *output, int columns, int rows, int depth, const char *part, Error *error)
 {
     PngWriter *writer = writer_new(output, columns, rows, depth);
     if (!writer) {
         error_memory(error, "the picture's writer");
         return NULL;
     }
-    if (write_header(writer, error))
+    if (write_header(writer, part, error))
         return writer;
     png_writer_free(writer);
     return NULL;

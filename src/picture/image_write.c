@@ -28,7 +28,8 @@ static bool begin(ImageWriter *writer, Error *error)
 {
     int largest = writer->kind.depth == 16 ? 65535 : 255;
     if (writer->kind.format == IMAGE_PNG) {
-        writer->png = png_writer_open(&writer->output, writer->columns, writer->rows_left, writer->kind.depth, error);
+        writer->png = png_writer_open(&writer->output, writer->columns, writer->rows_left, writer->kind.depth,
+                                      writer->kind.part, error);
         return writer->png != NULL;
     }
     return writer->kind.format == IMAGE_PFM || writer->kind.format == IMAGE_RAW ||
@@ -139,7 +140,7 @@ bool image_encode(const Image *image, char **png, size_t *size, Error *error)
         output_abort(&output);
         return error_memory(error, "the picture");
     }
-    PngWriter *writer = png_writer_open(&output, image->columns, image->rows, 8, error);
+    PngWriter *writer = png_writer_open(&output, image->columns, image->rows, 8, NULL, error);
     bool done = writer && png_writer_rows(writer, image->rgb, image->rows, error) && png_writer_end(writer, error);
     png_writer_free(writer);
     if (!done)

@@ -16,6 +16,7 @@ static const Command COMMANDS[] = {
     {.name = "compare", .operands = "A.png B.png", .operands_min = 2, .operands_max = 2},
     {.name = "bench", .operands = "[SCENE...]", .operands_min = 0, .operands_max = MAX_OPERANDS},
     {.name = "generate", .operands = "KIND", .operands_min = 1, .operands_max = 1},
+    {.name = "join", .operands = "PART...", .operands_min = 1, .operands_max = MAX_PARTS},
     {.name = "kernels", .operands = ""},
     {.name = "help", .operands = "[COMMAND]", .operands_max = 1},
     {.name = "devices", .operands = "[N]", .operands_min = 0, .operands_max = 1},
@@ -31,6 +32,8 @@ static void check_options(const Options *o, const Command *command)
     REQUIRE(o->tolerance >= 0 && o->tolerance <= 255);
     REQUIRE(o->settings.threads >= 0 && o->settings.device >= -1 && o->settings.lanes <= 16);
     REQUIRE(o->settings.accel >= ACCEL_AUTO && o->settings.accel <= ACCEL_LBVH);
+    REQUIRE(o->part.number >= 0 && o->part.number <= o->part.count && o->part.count <= MAX_PARTS);
+    REQUIRE((o->settings.region.columns > 0) == (o->settings.region.rows > 0));
     REQUIRE(o->backend == BACKEND_OPENCL || o->backend == BACKEND_REFERENCE);
     REQUIRE(o->pixel_column >= 0 && o->pixel_column < SCENE_MAX_PIXELS);
     REQUIRE(o->sample_i >= 0 && o->sample_i < SCENE_MAX_GRID && o->sample_j >= 0 && o->sample_j < SCENE_MAX_GRID);
