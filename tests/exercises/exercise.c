@@ -49,6 +49,13 @@ const char *number_text(double value)
     return text;
 }
 
+const char *exact_text(double value)
+{
+    char *text = next_text();
+    snprintf(text, TEXT, "%.17g", value);
+    return text;
+}
+
 const char *vector_text(Vec3 v)
 {
     char text[TEXT];

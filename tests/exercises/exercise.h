@@ -79,6 +79,7 @@ void compare(const Outcome *returned, const Outcome *expected);
 /* --- Texts: they live until 32 more have been made --- */
 
 const char *number_text(double value);
+const char *exact_text(double value);
 const char *vector_text(Vec3 value);
 
 /* --- Scenes --- */

@@ -179,8 +179,11 @@ static const char *value_text(const Value *value, const char *nothing)
 static void tell_difference(const Outcome *returned, const Outcome *expected, int k)
 {
     report_line("value", "%s", expected->values[k].name);
-    report_line("returned", "%s", value_text(&returned->values[k], "nothing: it was not filled in"));
-    report_line("expected", "%s", value_text(&expected->values[k], "nothing: it is not to be filled in"));
+    const char *came = value_text(&returned->values[k], "nothing: it was not filled in");
+    const char *wanted = value_text(&expected->values[k], "nothing: it is not to be filled in");
+    bool alike = strcmp(came, wanted) == 0;
+    report_line("returned", "%s", alike ? exact_text(returned->values[k].value) : came);
+    report_line("expected", "%s", alike ? exact_text(expected->values[k].value) : wanted);
     if (expected->values[k].formula[0])
         report_line("formula", "%s", expected->values[k].formula);
 }

@@ -26,4 +26,16 @@ exercise: ## check your FILE for exercise N of docs/exercises (without FILE: its
 	@$(MAKE) $(ALL_CORES) exercise-parts >&2
 	@BUILD=$(BUILD) tests/exercises/run $(N) $(FILE) $(if $(JSON),--json)
 
+# The pictures of the goals: folder, scene, size.
+GOALS := 01-camera/leaning/200x160 02-plane/scene/216x168 03-inside/scene/200x150 04-nearest/scene/200x150 \
+    05-shadow/scene/200x150 06-light/scene/180x140 07-mirror/scene/216x168
+
+.PHONY: exercise-goals
+exercise-goals: $(PROGRAM) ## render the pictures that the exercises show as their goals
+	@for goal in $(GOALS); do \
+	    folder=docs/exercises/$${goal%%/*}; rest=$${goal#*/}; \
+	    $(PROGRAM) render $$folder/$${rest%/*}.json --size $${rest#*/} --backend reference -q -o $$folder/goal.png || \
+	        exit 1; \
+	done
+
 -include $(EXERCISE_SHARED:.o=.d)

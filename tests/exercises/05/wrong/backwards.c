@@ -1,0 +1,20 @@
+/* Fails at nothing_between: away from the light. */
+#include "trace/textbook_face.h"
+
+static void place_hit(const Textbook *textbook, Hit *hit)
+{
+    Real3 n = rounded(textbook->scene->planes[hit->face].normal);
+    hit->n = hit->n_dot_r > 0 ? scale(-1, n) : n;
+    hit->shifted = add(hit->p, scale((Real)textbook->shift, hit->n));
+}
+
+static int face_between(const Textbook *textbook, const Hit *hit, Real3 light)
+{
+    RealRay ray = {hit->shifted, subtract(hit->shifted, light)};
+    for (int i = 0; i < textbook->scene->face_count; i++) {
+        Hit between;
+        if (hits_occluder(textbook, i, ray, &between) && between.t < 1)
+            return i;
+    }
+    return -1;
+}
