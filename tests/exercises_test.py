@@ -132,7 +132,12 @@ class Runs(unittest.TestCase):
         self.assertEqual(status, 2)
         self.assertIn(f"{path}:4:17: error: ‘Hit’ has no member named ‘ege’".replace("‘", "'").replace("’", "'"),
                       out.replace("‘", "'").replace("’", "'"))
-        self.assertLess(out.count("\n"), 20)
+        self.assertLess(out.count("\n"), 30)
+
+    def test_warnings_of_the_student_s_file_are_told_and_no_others(self):
+        _, result = run_json(3, self.solution("    int unused = 1;\n    return false;"))
+        self.assertIn("mine.c:4:9: warning: unused variable", result["compiler"][0])
+        self.assertFalse([line for line in result["compiler"] if "tests/exercises" in line])
 
     def test_a_wild_pointer_is_a_message_with_test_and_input(self):
         _, result = run_json(3, self.solution("    Hit *nowhere = 0;\n    return nowhere->t > 0 || face || n.x > 0;"))

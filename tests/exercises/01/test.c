@@ -199,10 +199,11 @@ static const ExerciseTest TESTS[] = {
     {"samples_of_a_pixel", "Samples of a pixel that has 2 x 2", samples_of_a_pixel},
     {"camera_that_leans", "A camera that leans, and pixels that are not square", camera_that_leans},
     {"every_pixel", "Every pixel of it", every_pixel},
-    {NULL},
+    {NULL, NULL, NULL},
 };
 
 int main(int argc, char **argv)
 {
-    return exercise_main(argc, argv, &(Exercise){TESTS, student_pixel, LEANING, 150, 120});
+    Exercise exercise = {.tests = TESTS, .pixel = student_pixel, .scene = LEANING, .columns = 150, .rows = 120};
+    return exercise_main(argc, argv, &exercise);
 }

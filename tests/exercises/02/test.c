@@ -185,10 +185,11 @@ static const ExerciseTest TESTS[] = {
     {"parallel_ray", "A ray parallel to the floor", parallel_ray},
     {"origin_in_the_plane", "A plane in which the ray starts", origin_in_the_plane},
     {"every_pixel", "Every pixel with every face", every_pixel},
-    {NULL},
+    {NULL, NULL, NULL},
 };
 
 int main(int argc, char **argv)
 {
-    return exercise_main(argc, argv, &(Exercise){TESTS, student_pixel, SCENE, 135, 105});
+    Exercise exercise = {.tests = TESTS, .pixel = student_pixel, .scene = SCENE, .columns = 135, .rows = 105};
+    return exercise_main(argc, argv, &exercise);
 }

@@ -170,10 +170,11 @@ static const ExerciseTest TESTS[] = {
     {"face_from_behind", "A face that is seen from behind, N away from us", face_from_behind},
     {"slope", "A face that leans", slope},
     {"every_pixel", "Every pixel with every face", every_pixel},
-    {NULL},
+    {NULL, NULL, NULL},
 };
 
 int main(int argc, char **argv)
 {
-    return exercise_main(argc, argv, &(Exercise){TESTS, student_pixel, SCENE, 160, 120});
+    Exercise exercise = {.tests = TESTS, .pixel = student_pixel, .scene = SCENE, .columns = 160, .rows = 120};
+    return exercise_main(argc, argv, &exercise);
 }

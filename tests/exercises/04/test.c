@@ -166,10 +166,11 @@ static const ExerciseTest TESTS[] = {
     {"last_face", "A ray to the last face of the scene", last_face},
     {"twins", "Two faces in one place, with the same t", twins},
     {"every_pixel", "Every pixel", every_pixel},
-    {NULL},
+    {NULL, NULL, NULL},
 };
 
 int main(int argc, char **argv)
 {
-    return exercise_main(argc, argv, &(Exercise){TESTS, student_pixel, SCENE, 128, 96});
+    Exercise exercise = {.tests = TESTS, .pixel = student_pixel, .scene = SCENE, .columns = 128, .rows = 96};
+    return exercise_main(argc, argv, &exercise);
 }

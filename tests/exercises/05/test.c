@@ -250,10 +250,11 @@ static const ExerciseTest TESTS[] = {
     {"two_faces_between", "face_between: two faces are between", two_faces_between},
     {"face_of_the_point", "face_between: a face does not shadow itself", face_of_the_point},
     {"every_pixel", "Every pixel, and both lights", every_pixel},
-    {NULL},
+    {NULL, NULL, NULL},
 };
 
 int main(int argc, char **argv)
 {
-    return exercise_main(argc, argv, &(Exercise){TESTS, student_pixel, SCENE, 128, 96});
+    Exercise exercise = {.tests = TESTS, .pixel = student_pixel, .scene = SCENE, .columns = 128, .rows = 96};
+    return exercise_main(argc, argv, &exercise);
 }

@@ -207,10 +207,11 @@ static const ExerciseTest TESTS[] = {
     {"highlight_behind", "A light so far behind that N.H is negative", highlight_behind},
     {"no_shininess", "A material with alpha = 0", no_shininess},
     {"every_pixel", "Every pixel, and all lights", every_pixel},
-    {NULL},
+    {NULL, NULL, NULL},
 };
 
 int main(int argc, char **argv)
 {
-    return exercise_main(argc, argv, &(Exercise){TESTS, student_pixel, SCENE, 135, 105});
+    Exercise exercise = {.tests = TESTS, .pixel = student_pixel, .scene = SCENE, .columns = 135, .rows = 105};
+    return exercise_main(argc, argv, &exercise);
 }

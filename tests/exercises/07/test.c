@@ -153,10 +153,11 @@ static const ExerciseTest TESTS[] = {
     {"turned_mirror", "A mirror that is turned to the side", turned_mirror},
     {"mirror_in_a_mirror", "A mirror that is seen in a mirror", mirror_in_a_mirror},
     {"every_pixel", "Every mirror on the path of every pixel", every_pixel},
-    {NULL},
+    {NULL, NULL, NULL},
 };
 
 int main(int argc, char **argv)
 {
-    return exercise_main(argc, argv, &(Exercise){TESTS, student_pixel, SCENE, 135, 105});
+    Exercise exercise = {.tests = TESTS, .pixel = student_pixel, .scene = SCENE, .columns = 135, .rows = 105};
+    return exercise_main(argc, argv, &exercise);
 }
