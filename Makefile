@@ -91,8 +91,8 @@ $(LIBRARY): $(LIBRARY_OBJECTS)
 	$(Q)$(AR) rcs $@ $^
 
 # rectray as a library, static and shared. In the static one the names that are not public are made local.
-PUBLIC_OBJECTS := $(filter-out $(BUILD)/src/main.o $(BUILD)/src/command/% $(BUILD)/src/bench/% $(BUILD)/src/page/%, \
-    $(OBJECTS)) $(BUILD)/kernel_sources.o
+PUBLIC_OBJECTS := $(filter-out $(BUILD)/src/main.o $(BUILD)/src/command/% $(BUILD)/src/bench/% $(BUILD)/src/page/% \
+    $(BUILD)/src/grade/%, $(OBJECTS)) $(BUILD)/kernel_sources.o
 
 .PHONY: library
 library: $(BUILD)/lib/librectray.a $(BUILD)/lib/librectray.so ## build librectray.a and librectray.so in build/lib

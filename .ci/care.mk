@@ -42,7 +42,7 @@ SECONDS ?= 60
 TARGET  ?= *
 
 .PHONY: fuzz
-fuzz: ## throw mutated input at the readers for SECONDS each (60; TARGET=scene, obj, mtl, model, options, edit)
+fuzz: ## throw mutated input at the readers for SECONDS each (60; TARGET=model, scene and their like)
 	@$(SETUP) build clang fuzz
 	@$(MAKE) --no-print-directory --silent fuzzers CC=clang BUILD=build/fuzz CFLAGS="-O1 -g -fno-omit-frame-pointer" \
 	    INSTRUMENT="-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all"

@@ -9,8 +9,8 @@ PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 
 # The folders from the ground up; "" is the top of the tree.
 FLOORS = {
-    "src": ["base", "json", "scene", "reader", "trace", "opencl", "picture", "walkthrough", "library", "page", "bench",
-            "command", ""],
+    "src": ["base", "json", "scene", "reader", "trace", "opencl", "picture", "walkthrough", "library", "grade", "page",
+            "bench", "command", ""],
     "kernels": ["shared", "plain", "packet", "tile", "adaptive", ""],
 }
 

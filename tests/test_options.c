@@ -163,8 +163,9 @@ static void options_should_suggest_the_nearest_of_the_command(void)
 
 static void options_should_refuse_those_of_other_commands(void)
 {
-    assert_refused("check a --size 3x3", "check takes no --size; that is an option of: render trace explore bench");
-    assert_refused("check a -s 3x3", "check takes no --size; that is an option of: render trace explore bench");
+    assert_refused("check a --size 3x3",
+                   "check takes no --size; that is an option of: render trace explore bench grade");
+    assert_refused("check a -s 3x3", "check takes no --size; that is an option of: render trace explore bench grade");
     assert_refused(
         "cast a --output b",
         "cast takes no --output; that is an option of: render trace explore compare generate bench tree frame join");

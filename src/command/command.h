@@ -13,6 +13,7 @@ bool command_explore(const Options *options, Error *error);
 bool command_cast(const Options *options, Error *error);
 bool command_check(const Options *options, Error *error);
 bool command_compare(const Options *options, Error *error);
+bool command_grade(const Options *options, Error *error);
 bool command_devices(const Options *options, Error *error);
 bool command_bench(const Options *options, Error *error);
 bool command_bench_error(const Options *options, Error *error); /* `bench error`: called by command_bench */

@@ -51,6 +51,7 @@ typedef struct Options {
     const char *export_folder; /* for the kernel files; NULL: not given */
     const char *folder;        /* for the files of a measurement; NULL: not given */
     const char *heatmap;       /* NULL: not given; "-": stdout */
+    const char *picture;       /* to grade; NULL: not given */
     Backend backend;
     RenderSettings settings;
     int columns, rows; /* 0: as the scene says, as is grid */
@@ -69,6 +70,7 @@ typedef struct Options {
     double map_low, map_high;                        /* of its colours; 0: not given */
     int bounces;                                     /* -1: as the scene says */
     int tolerance;                                   /* of 255 */
+    double tolerance_absolute, tolerance_relative;   /* of grading */
     int repeats;                                     /* of a measurement; 0: not given */
     int scene_size, seed;                            /* of a generated scene; size 0: not given */
     int pixel_column, pixel_row, sample_i, sample_j; /* of the walkthrough */
@@ -86,7 +88,7 @@ typedef struct Options {
     int depth;          /* place in 8, 16: bits a channel of a picture */
     ProgressMode progress;
     HelpFormat help_format;
-    bool precision_given, pixel_given, shift_given, frame_given, frames_given;
+    bool precision_given, pixel_given, shift_given, tolerance_given, frame_given, frames_given;
     bool quiet, resume, stage, watch, geometry, verbose, with_scene, summary, diff, darkest, no_pager, ladder, json,
         check, open, strict, help, version;
 } Options;

@@ -51,6 +51,26 @@ bool option_set_shift(Options *o, const char *value)
     return (isdigit((unsigned char)value[0]) || value[0] == '.') && *end == '\0' && shift <= SCENE_MAX_SHIFT;
 }
 
+/* A number that begins with a digit, from 0 on; *end is where it ends. */
+static bool read_positive(const char *text, char **end, double *value)
+{
+    *end = NULL;
+    if (!isdigit((unsigned char)text[0]) && text[0] != '.')
+        return false;
+    *value = strtod(text, end);
+    return *end != text && *value <= 1e6;
+}
+
+bool option_set_tolerance(Options *o, const char *value)
+{
+    char *end;
+    o->tolerance_given = true;
+    if (!read_positive(value, &end, &o->tolerance_absolute))
+        return false;
+    o->tolerance_relative = 0;
+    return *end == '\0' || (*end == ',' && read_positive(end + 1, &end, &o->tolerance_relative) && *end == '\0');
+}
+
 /* The number of the skip that the first `length` characters name; SKIP_KINDS where they name none. */
 static int skip_number(const char *name, size_t length)
 {

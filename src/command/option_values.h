@@ -28,6 +28,7 @@ bool option_set_pixel(Options *o, const char *value);
 bool option_set_sample(Options *o, const char *value);
 bool option_set_precision(Options *o, const char *value);
 bool option_set_shift(Options *o, const char *value);
+bool option_set_tolerance(Options *o, const char *value);
 bool option_set_lanes(Options *o, const char *value);
 bool option_set_no_skip(Options *o, const char *value);
 bool option_set_stats(Options *o, const char *value);

@@ -147,6 +147,11 @@ static const char *const kinds[EVENT_KIND_COUNT] = {
     [EVENT_PATH_END] = "path end", [EVENT_PIXEL] = "pixel",       [EVENT_TALLY] = "tally",
 };
 
+const char *walkthrough_event_name(EventKind kind)
+{
+    return kinds[kind];
+}
+
 cJSON *walkthrough_event_json(const Walkthrough *walk, const WalkthroughPlace *place, const Event *event, bool *failed)
 {
     const Scene *scene = walk->scene;

@@ -8,4 +8,7 @@
 /* The caller deletes the object. *failed is set when memory is wanting. */
 cJSON *walkthrough_event_json(const Walkthrough *walk, const WalkthroughPlace *place, const Event *event, bool *failed);
 
+/* What the member "event" says of such an event. */
+const char *walkthrough_event_name(EventKind kind);
+
 #endif

@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define FUZZ_TARGETS(X) X(scene) X(obj) X(mtl) X(model) X(options) X(edit)
+#define FUZZ_TARGETS(X) X(scene) X(obj) X(mtl) X(model) X(options) X(edit) X(given)
 
 /* A scene file; then, after lines of "---", the model "100" and the library "101" that it may name. */
 int fuzz_scene(const uint8_t *data, size_t size);
@@ -23,6 +23,9 @@ int fuzz_model(const uint8_t *data, size_t size);
 
 /* A material library. */
 int fuzz_mtl(const uint8_t *data, size_t size);
+
+/* A walkthrough to be graded. */
+int fuzz_given(const uint8_t *data, size_t size);
 
 /* A command line, a word in each line; the first is the command. */
 int fuzz_options(const uint8_t *data, size_t size);

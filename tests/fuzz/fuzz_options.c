@@ -14,6 +14,7 @@ static const Command COMMANDS[] = {
     {.name = "cast", .operands = "SCENE", .operands_min = 1, .operands_max = 1},
     {.name = "check", .operands = "SCENE", .operands_min = 1, .operands_max = 1},
     {.name = "compare", .operands = "A.png B.png", .operands_min = 2, .operands_max = 2},
+    {.name = "grade", .operands = "SCENE [WALKTHROUGH]", .operands_min = 1, .operands_max = 2},
     {.name = "bench", .operands = "[SCENE...]", .operands_min = 0, .operands_max = MAX_OPERANDS},
     {.name = "generate", .operands = "KIND", .operands_min = 1, .operands_max = 1},
     {.name = "join", .operands = "PART...", .operands_min = 1, .operands_max = MAX_PARTS},
