@@ -36,7 +36,8 @@ static void put_summary(FILE *out, const char *summary)
 
 static void put_head(FILE *out, const char *title)
 {
-    fprintf(out, ".TH \"%s\" 1 \"\" \"rectray " RECTRAY_VERSION "\" \"User Commands\"\n.SH NAME\n", title);
+    fprintf(out, ".TH \"%s\" 1 \"" RECTRAY_DATE "\" \"rectray " RECTRAY_VERSION "\" \"User Commands\"\n.SH NAME\n",
+            title);
 }
 
 static void put_option(FILE *out, const Option *option)

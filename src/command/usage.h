@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #define RECTRAY_VERSION "0.1"
+#define RECTRAY_DATE "2026-11-30" /* of the version; docs/CHANGELOG.md has both, too */
 
 /* What `rectray help COMMAND`, `rectray help` and `rectray --version` print. */
 void usage_print_command(FILE *out, const Command *command);
