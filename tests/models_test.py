@@ -241,6 +241,18 @@ class Formats(CommandTest):
             with self.subTest(data):
                 self.assertEqual(self.says(data), message + "\n")
 
+    def test_numbers_of_vertices_may_have_64_bits(self):
+        for order, way in (("<", b"little"), (">", b"big")):
+            header = (b"ply\nformat binary_%s_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                      b"property float z\nelement face 1\nproperty list uint64 int64 vertex_indices\nend_header\n" % way)
+            points = struct.pack(order + "9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+            with open(self.path("model.ply"), "wb") as file:
+                file.write(header + points + struct.pack(order + "Q3q", 3, 0, 1, 2))
+            self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": "model.ply"}]}))
+            self.assertIn(b"1 of them triangles", self.run_program("check", "scene.json")[0])
+            self.assertEqual(self.says(header + points + struct.pack(order + "Q3q", 3, 0, 1, -2)),
+                             "model: face 1: vertex -2 does not exist; there are 3\n")
+
     def test_other_elements_of_ply_files_are_read_past(self):
         self.put("model.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\nelement edge 1\nproperty int vertex1\nproperty list uchar int more\n"

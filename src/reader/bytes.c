@@ -6,7 +6,7 @@
 
 int bytes_size(BytesType type)
 {
-    static const int sizes[BYTES_TYPES] = {1, 1, 2, 2, 4, 4, 4, 8};
+    static const int sizes[BYTES_TYPES] = {1, 1, 2, 2, 4, 4, 4, 8, 8, 8};
     return sizes[type];
 }
 
@@ -32,6 +32,8 @@ double bytes_value(const char *bytes, BytesType type, bool big_endian)
     case BYTES_FLOAT64:
         memcpy(&value, &bits, sizeof value);
         return value;
+    case BYTES_INT64:
+        return (double)(int64_t)bits;
     default:
         return (double)bits;
     }

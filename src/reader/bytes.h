@@ -13,6 +13,8 @@ typedef enum BytesType {
     BYTES_UINT32,
     BYTES_FLOAT32,
     BYTES_FLOAT64,
+    BYTES_INT64,
+    BYTES_UINT64,
     BYTES_TYPES
 } BytesType;
 

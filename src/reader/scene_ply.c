@@ -16,8 +16,9 @@
 enum { MAX_ELEMENTS = 16, MAX_PROPERTIES = 64, NAME = 40, TEXT = 0, BIG_ENDIAN_BYTES = 2 };
 
 /* Each type has an old and a new name. */
-static const char *const type_names[] = {"char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
-                                         "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
+static const char *const type_names[] = {"char",   "int8",    "uchar", "uint8", "short",  "int16", "ushort",
+                                         "uint16", "int",     "int32", "uint",  "uint32", "float", "float32",
+                                         "double", "float64", "long",  "int64", "ulong",  "uint64"};
 static const char *const formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
 
 typedef struct Property {
