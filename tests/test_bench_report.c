@@ -151,7 +151,7 @@ static void a_rung_should_be_a_scene_of_its_size(void)
     while (strcmp(rung->name, "menger-2") != 0)
         rung++;
     TEST_ASSERT_TRUE(bench_rung(rung, &bench->plan.folder, &scene, &error));
-    TEST_ASSERT_TRUE(bench_settle(&scene, &error));
+    TEST_ASSERT_TRUE(bench_settle(&scene, &bench->plan, &error));
     Scene loaded;
     TEST_ASSERT_TRUE(scene_load(&loaded, scene.path, &error));
     TEST_ASSERT_EQUAL_INT(1056, loaded.face_count);
