@@ -174,6 +174,26 @@ class Formats(CommandTest):
         self.assertEqual(self.checked(bent, nonplanar="split"), "")
         self.assertRegex(self.checked(bent, nonplanar="error", status=1), "^model.obj:5: the face is not planar: ")
 
+    def test_faces_of_two_vertices_have_no_area(self):
+        told = '{} note: a face without area is left out; "degenerate": "error" would refuse it\n'
+        model = TRIANGLE + "f 1 2\n"
+        self.assertEqual(self.checked(model), told.format("model.obj:5:"))
+        self.assertEqual(self.checked(model, status=1, degenerate="error"),
+                         "model.obj:5: a face of 2 vertices; it needs at least 3\n")
+        self.put("model.obj", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                 "0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n")
+        self.put("scene.json", json.dumps(SCENE | {"objects": [{"material": "pink", "obj": "model.obj"}]}))
+        self.assertEqual(self.run_program("check", "scene.json")[1], told.format("model.obj:13:"))
+
+    def test_a_bent_quad_that_crosses_itself_is_an_error(self):
+        crossed = ("model.obj:5: the face crosses itself: its edges from vertex {} to {} and from {} to {} cross; list "
+                   "its vertices in order around it\n")
+        points = "v 0 0 0\nv 1 1 0.2\nv 1 0 0\nv 0 1 0\n"
+        self.assertEqual(self.checked(points + "f 1 2 3 4\n", status=1), crossed.format(1, 2, 3, 4))
+        self.assertEqual(self.checked(points + "f 1 4 2 3\n", nonplanar="split"), "")
+        self.assertEqual(self.checked(points + "f 2 3 4 1\n", status=1, nonplanar="split"), crossed.format(3, 4, 1, 2))
+
     def test_long_numbers_of_vertices_are_told_as_they_are_written(self):
         for number in ("4294967297", "18446744073709551617", "-9223372036854775809"):
             self.assertEqual(self.checked(TRIANGLE.replace("3\n", number + "/1\n"), status=1),
@@ -244,7 +264,8 @@ class Formats(CommandTest):
     def test_numbers_of_vertices_may_have_64_bits(self):
         for order, way in (("<", b"little"), (">", b"big")):
             header = (b"ply\nformat binary_%s_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-                      b"property float z\nelement face 1\nproperty list uint64 int64 vertex_indices\nend_header\n" % way)
+                      b"property float z\nelement face 1\nproperty list uint64 int64 vertex_indices\n"
+                      b"end_header\n") % way
             points = struct.pack(order + "9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
             with open(self.path("model.ply"), "wb") as file:
                 file.write(header + points + struct.pack(order + "Q3q", 3, 0, 1, 2))

@@ -16,13 +16,13 @@ static bool remark(MtlReader *reader, NoteName note, long line, char *detail)
 /* One number is a grey. */
 static bool read_colour(LineScan *scan, ScanWord key, Vec3 *colour)
 {
-    double c[3];
+    double c[4];
     int count;
     long line = scan->line;
     if (strncmp(scan->at, "spectral", 8) == 0 || strncmp(scan->at, "xyz", 3) == 0)
         return scan_fail(scan, line, "%.*s: spectral and xyz colours are not read; write red, green and blue",
                          key.length, key.text);
-    if (!scan_numbers(scan, c, 3, &count))
+    if (!scan_numbers(scan, c, 4, &count))
         return false;
     if (count != 1 && count != 3)
         return scan_fail(scan, line, "%.*s needs three numbers, or one for a grey, not %d", key.length, key.text,

@@ -96,7 +96,7 @@ bool obj_faces_read(ObjFaces *faces, LineScan *scan)
         highest = grown[faces->vertex_count] > highest ? grown[faces->vertex_count] : highest;
     }
     face.count = faces->vertex_count - face.first;
-    if (face.count < 3)
+    if (face.count < 3 && (face.count == 0 || !faces->build->object.skip))
         return scan_fail(scan, face.line, "a face of %d vertices; it needs at least 3", face.count);
     faces->count++;
     if (highest >= defined || faces->waiting_count > 0)

@@ -99,8 +99,9 @@ int scene_build_point_count(const SceneBuild *build); /* of the object */
  * vertices count from 1. */
 bool scene_build_model(SceneBuild *build, const char *path);
 
-/* Adds a face of at least 3 of the object's points (all must exist), after checking its shape. One that is no good quad
- * or triangle is cut into such, or left out with a note (scene_polygon.h). material -1: the object's. */
+/* Adds a face over some of the object's points (all must exist), after checking its shape. One that is no good quad or
+ * triangle is cut into such, or left out with a note (scene_polygon.h). Of fewer than 3 points it has no area.
+ * material -1: the object's. */
 bool scene_build_face(SceneBuild *build, const int *vertices, int count, int material, int place);
 
 /* Adds the six faces of an axis-parallel box (before the transform) in the order -x, +x, -y, +y, -z, +z, wound outward,

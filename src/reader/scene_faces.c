@@ -34,7 +34,7 @@ static bool add_face(SceneBuild *build, const int *points, int count, int materi
 static bool is_good(const SceneBuild *build, const int *vertices, int count)
 {
     Vec3 points[4];
-    if (count > 4)
+    if (count < 3 || count > 4)
         return false;
     for (int i = 0; i < count; i++) {
         assert(vertices[i] >= 0 && vertices[i] < scene_build_point_count(build));

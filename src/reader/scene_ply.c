@@ -197,7 +197,7 @@ static bool read_list(PlyReader *ply, const Property *list, bool is_face)
         if (is_face ? !read_whole(ply, list->type, room, "vertex", &grown[i]) : !read_value(ply, list->type, &unused))
             return false;
     }
-    if (is_face && count < 3)
+    if (is_face && count < 3 && (count == 0 || !build->object.skip))
         return fail(ply, "a face of %d vertices; it needs at least 3", count);
     int place = (int)(ply->format == TEXT ? ply->line : -(ply->done + 1));
     return !is_face || scene_build_face(build, ply->vertices, count, -1, place) || fail(ply, "%s", build->reason);

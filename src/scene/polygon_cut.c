@@ -154,6 +154,14 @@ static bool is_planar(PolygonCut *cut, int exponent)
     return farthest <= PLANARITY * size;
 }
 
+/* A quad that is no fold along either of its diagonals: on both the triangles turn against each other. */
+static bool is_twisted(const PolygonRing *ring)
+{
+    Vec3 a = from_first(ring, 1), b = from_first(ring, 2), c = from_first(ring, 3), ab = vec3_sub(b, a);
+    Vec3 ac = vec3_sub(c, a);
+    return vec3_dot(vec3_cross(a, b), vec3_cross(b, c)) < 0 && vec3_dot(vec3_cross(ab, ac), vec3_cross(a, ac)) < 0;
+}
+
 /* --- Convex polygons --- */
 
 static bool is_convex(const PolygonRing *ring)
@@ -236,6 +244,8 @@ static PolygonVerdict verdict_on(PolygonCut *cut, int exponent, bool bent)
     cut->is_bent = !is_planar(cut, exponent);
     if (cut->is_bent && !bent && !no_area)
         return POLYGON_NOT_PLANAR;
+    if (cut->is_bent && ring->count == 4 && is_twisted(ring)) /* along the normal it may look like anything */
+        flatten(ring, normal_of_largest(ring));
     if (polygon_ring_crosses(ring, &first, &second))
         return crossed(cut, first, second);
     if (ring->count > 4 && is_convex(ring) && cut_strips(ring))
