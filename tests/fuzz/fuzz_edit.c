@@ -61,7 +61,8 @@ int fuzz_edit(const uint8_t *data, size_t size)
     memcpy(text, size ? (const char *)data : SCENE, size ? size : sizeof SCENE);
     text[size ? size : sizeof SCENE - 1] = '\0';
 
-    options = (Options){.quiet = true, .operands = {fuzz_file(FUZZ_MODEL, (const uint8_t *)text, strlen(text))}};
+    const char *scene_file = fuzz_file(FUZZ_MODEL, (const uint8_t *)text, strlen(text));
+    options = (Options){.quiet = true, .operands = &scene_file, .operand_count = 1};
     options.edit_count = split(lines, options.edits, EDITS_MAX);
     Scene scene;
     error.kind = ERROR_NONE;
