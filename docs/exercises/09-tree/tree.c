@@ -40,9 +40,10 @@ static Cut best_cut(Box box, const Box *faces, int count)
 /* Walks a ray through node `index` of the tree and all below it. The ray is in the box of this node during `part`.
  *
  * First count the node: way->box_tests++. Where the ray is never in its box, or enters it beyond t = way->limit, that
- * is all: give back true. In a leaf, whose node->axis is KDTREE_LEAF, show its faces: way->visit(way, face) for the faces
- * tree->order[node->first] up to ... [node->first + node->count - 1]. It may lower way->limit. As soon as it gives back
- * false the search is over: give back false, and walk no further.
+ * is all: give back true.
+ * In a leaf, whose node->axis is KDTREE_LEAF, show its faces: way->visit(way, face) for the faces
+ * tree->order[node->first] up to tree->order[node->first + node->count - 1]. It may lower way->limit. As soon as it
+ * gives back false the search is over: give back false, and walk no further.
  * Else the plane where coordinate node->axis is node->split cuts `part` in two. The child on the low side is the node
  * index + 1, the one on the high side node->first. Walk through both, that which the ray comes to first: a ray whose
  * direction is less than 0 along the axis comes from the high side. Each child gets its own part of the ray.
