@@ -38,7 +38,7 @@ def run(number, *words):
     """The exit status, and what it says."""
     with tempfile.TemporaryDirectory() as folder:
         out = subprocess.run([*RUN, str(number), *words, "--folder", folder], cwd=ROOT, check=False, text=True,
-                             capture_output=True, env={**os.environ, "BUILD": BUILD})
+                             capture_output=True, env={**os.environ, "BUILD": BUILD, "LC_ALL": "C.UTF-8"})
     return out.returncode, out.stdout, out.stderr
 
 
@@ -133,6 +133,13 @@ class Runs(unittest.TestCase):
         self.assertIn(f"{path}:4:17: error: ‘Hit’ has no member named ‘ege’".replace("‘", "'").replace("’", "'"),
                       out.replace("‘", "'").replace("’", "'"))
         self.assertLess(out.count("\n"), 30)
+
+    def test_a_function_that_is_not_there_is_told(self):
+        status, out, _ = run(3, self.put('#include "trace/textbook_real.h"\n'))
+        self.assertEqual(status, 2)
+        self.assertIn("inside_edges", out)
+        self.assertIn("The tests call `inside_edges` as docs/exercises/03-inside/inside.c declares it.", out)
+        self.assertEqual(run(3, self.solution("    return helper();"))[0], 2)
 
     def test_warnings_of_the_student_s_file_are_told_and_no_others(self):
         _, result = run_json(3, self.solution("    int unused = 1;\n    return false;"))

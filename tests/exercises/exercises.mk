@@ -8,7 +8,8 @@ EXERCISE_PARTS   := $(EXERCISE_SHARED) $(LIBRARY) $(EXERCISES)/commands
 # the time, and a line of code is a line of the message.
 EXERCISE_WATCHED := -O0 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all \
     $(INSTRUMENT)
-EXERCISE_WARNINGS := -Wall -Wextra -Wno-unused-parameter -Wno-unused-function -Wno-missing-field-initializers
+EXERCISE_WARNINGS := -Wall -Wextra -Wno-unused-parameter -Wno-unused-function -Wno-missing-field-initializers \
+    -Werror=implicit-function-declaration
 
 # How `run` compiles a test with the student's file in it, and how it links it: a line each.
 $(EXERCISES)/commands: Makefile tests/exercises/exercises.mk | $(FOUND)
