@@ -10,6 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 TOOLS = ROOT / "tests" / "exercises"
 sys.path.insert(0, str(TOOLS))
+from support.program import PROGRAM  # noqa: E402
 import figures  # noqa: E402
 import solution  # noqa: E402
 
@@ -76,6 +77,48 @@ class Figures(unittest.TestCase):
                         subprocess.run([figures.PROGRAM, *(word.format(out=out) for word in source)], cwd=ROOT,
                                        check=True, capture_output=True)
                         self.assertIn("<svg", out.read_text(encoding="utf-8"))
+
+
+class Plan(unittest.TestCase):
+    """docs/course.md: its commands work, its pixels are there, its figures and exercises, too."""
+    TEXT = (ROOT / "docs" / "course.md").read_text(encoding="utf-8")
+
+    def test_each_command_works(self):
+        blocks = re.findall(r"(?ms)^ *```sh\n(.*?)^ *```", self.TEXT)
+        commands = [line.strip() for block in blocks for line in re.sub(r"\\\n *", "", block).splitlines()]
+        self.assertGreater(len(commands), 20)
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("scenes", "docs", "kernels"):
+                (Path(folder) / name).symlink_to(ROOT / name)
+            for command in commands:
+                with self.subTest(command):
+                    self.assertTrue(command.startswith("build/rectray "), command)
+                    out = subprocess.run(command.replace("build/rectray", PROGRAM, 1), shell=True, cwd=folder,
+                                         capture_output=True, text=True, check=False)
+                    self.assertEqual(out.returncode, 0, out.stderr)
+
+    def test_what_it_makes_can_be_made(self):
+        targets = set(re.findall(r"`make ([a-z-]+)", self.TEXT))
+        self.assertGreaterEqual(targets, {"figures", "page", "exercise", "hunt", "hunt-answer", "solution"})
+        told = subprocess.run(["make", "-s", "help"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+        for target in targets:
+            self.assertRegex(told, rf"(?m)^ +make {target} ", target)
+
+    def test_each_pixel_of_the_page_is_in_its_picture(self):
+        addresses = re.findall(r"#scene=([\w/.]+)&size=(\d+)x(\d+)&grid=1&pixel=(\d+),(\d+)", self.TEXT)
+        self.assertGreaterEqual(len(addresses), 2)
+        for scene, columns, rows, column, row in addresses:
+            self.assertTrue((ROOT / scene).is_file(), scene)
+            self.assertTrue(int(column) < int(columns) and int(row) < int(rows))
+
+    def test_the_figures_of_a_week_are_in_that_week(self):
+        rows = re.findall(r"(?m)^\| (\d+) \| [^|]* \| ([^|]*) \|", self.TEXT)
+        self.assertEqual([int(week) for week, _ in rows], list(range(1, 11)))
+        known = {(week, re.sub(r"(-textbook|-exact|-apart)?\..*", "", name)) for week, name, *_ in figures.FIGURES}
+        for week, names in rows:
+            for name in names.replace(" and three more", "").strip().split(", "):
+                for one in name.split(" and "):
+                    self.assertIn((int(week), one), known)
 
 
 if __name__ == "__main__":

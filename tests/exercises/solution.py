@@ -18,7 +18,8 @@ def wanted(number):
     if not place.is_file():
         sys.exit(f"solution: there is no exercise {number}; docs/exercises has them")
     about = json.loads(place.read_text(encoding="utf-8"))
-    named = about.get("solution") or [f"src/{about['replaces']}: {about['function']}"]
+    functions = ", ".join(re.findall(r"\w+_\w+", about["function"]))
+    named = about.get("solution") or [f"src/{about['replaces']}: {functions}"]
     return [(file, [name.strip() for name in names.split(",")])
             for file, _, names in (entry.partition(":") for entry in named)]
 
