@@ -43,6 +43,7 @@ async function start() {
     for (const data of document.querySelectorAll('script[data-file]'))
         addFile(data.dataset.file, bytesOf(data.textContent));
     page.shipped = new Map(page.files);
+    $('film-note').hidden = !page.files.has('scenes/turntable.json'); // the link is right where the page was built
     page.module = await WebAssembly.compile(await unpacked(bytesOf($('module').textContent)));
     page.tracer = await Tracer.make(page.module, page.files);
     startView();
