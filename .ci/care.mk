@@ -70,7 +70,7 @@ build/language-server/node_modules:
 .PHONY: soak
 soak: ## hours of tests: the suites at length, lint, stress, mutants, random scenes, fuzz, oclgrind, valgrind, coverage
 	@RECTRAY_SOAK=1 $(MAKE) --no-print-directory test
-	@$(MAKE) --no-print-directory lint stress mutants oclgrind valgrind coverage test-deb
+	@$(MAKE) --no-print-directory lint stress mutants oclgrind valgrind coverage test-deb test-cluster
 	@$(MAKE) --no-print-directory random-scenes COUNT=10000
 	@$(MAKE) --no-print-directory fuzz SECONDS=1800
 
@@ -85,6 +85,15 @@ valgrind: ## run the commands in valgrind: wrong accesses, what was never set, w
 	@$(SETUP) build run valgrind
 	@$(MAKE) --no-print-directory --silent $(PROGRAM)
 	@tests/soak/valgrind $(PROGRAM)
+
+# --- Many machines --------------------------------------------------------------------------------------------
+
+.PHONY: test-cluster
+test-cluster: ## run the scripts of docs/cluster/ on Slurm and GNU parallel of this machine alone; nodes die (a minute)
+	@$(SETUP) build run test
+	@$(SETUP) cluster || true
+	@$(MAKE) --no-print-directory --silent $(PROGRAM)
+	@python3 -B tests/cluster/run $(PROGRAM)
 
 # --- Style and likely mistakes --------------------------------------------------------------------------------
 
