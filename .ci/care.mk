@@ -72,6 +72,7 @@ soak: ## hours of tests: the suites at length, lint, stress, mutants, random sce
 	@RECTRAY_SOAK=1 $(MAKE) --no-print-directory test
 	@$(MAKE) --no-print-directory lint stress mutants oclgrind valgrind coverage test-deb test-cluster
 	@$(MAKE) --no-print-directory random-scenes COUNT=10000
+	@tests/soak/grade_mutants.py
 	@$(MAKE) --no-print-directory fuzz SECONDS=1800
 
 .PHONY: oclgrind

@@ -183,6 +183,45 @@ PLANTED = {
     "bytes-to-1": ("original", 40, 36, [("math.floor(255 * min(max(c, 0), 1) + 0.5)", "min(max(c, 0), 1)")]),
     "colours-to-255": ("original", 40, 36, [
         ('"contribution": scale(weight, i)', '"contribution": scale(255 * weight, i)')]),
+    "edges-skip-one": ("mirrors", 300, 200, [("e, c = sub(v[(k + 1) % len(v)]", "e, c = sub(v[(k + 2) % len(v)]")]),
+    "one-sided-left-out": ("original", 40, 36, [("(one_sided and n_r > 0)", "one_sided")]),
+    "point-minus": ("original", 40, 36, [("p = add(o, scale(t, r))\n        n", "p = sub(o, scale(t, r))\n        n")]),
+    "origin-forgotten": ("original", 40, 36, [("p = add(o, scale(t, r))\n        n", "p = scale(t, r)\n        n")]),
+    "last-of-equal": ("same_place", 16, 6, [
+        ("(t, k) for t, k in hits if t is not None]",
+         "(t, k) for t, k in hits[::-1] if t is not None and t == min(s for s, _ in hits if s is not None)][:1]")]),
+    "shadow-t-distance": ("cornell", 200, 200, [
+        ("t < 1 for t", 't < math.dist(light["position"], start) for t')]),
+    "shadow-only-beyond": ("cornell", 200, 200, [("t < 1 for t", "t > 1 for t")]),
+    "normal-not-turned-for-light": ("highlight_in_a_mirror", 28, 21, [
+        ("light_verdict(faces, light, n, p, start) for", "light_verdict(faces, light, faces[k][2], p, start) for")]),
+    "alpha-halved": ("original", 40, 36, [('(material["shininess"] / 4)', '(material["shininess"] / 2)')]),
+    "h-is-l": ("original", 40, 36, [("h = unit(add(l, v))", "h = l")]),
+    "light-colour-diffuse": ("many_lights", 27, 20, [
+        ('light["ambient"])', 'light["diffuse"])'), ('light["specular"])', 'light["diffuse"])')]),
+    "ks-forgotten": ("highlight_in_a_mirror", 28, 21, [
+        ('mul(material["specular"], light["specular"])', 'light["specular"]')]),
+    "diffuse-both-sides": ("original", 20, 50, [
+        ('    if dot(n, sub(light["position"], p)) <= 0:\n        return "behind face"\n', ""),
+        ("max(0, dot(l, n))", "abs(dot(l, n))")]),
+    "diffuse-negated": ("original", 40, 36, [("max(0, dot(l, n))", "max(0, -dot(l, n))")]),
+    "diffuse-of-viewer": ("original", 40, 36, [("max(0, dot(l, n))", "max(0, dot(v, n))")]),
+    "highlight-both-sides": ("original", 40, 36, [("max(0, dot(n, h))", "abs(dot(n, h))")],
+                             {"materials.purple.shininess": 4}),
+    "highlight-cosine": ("original", 40, 36, [("scale(s, mul", "scale(s * max(0, dot(l, n)), mul")]),
+    "l-backwards": ("original", 40, 36, [
+        ('l = unit(sub(light["position"], p))', 'l = unit(sub(p, light["position"]))')]),
+    "ambient-once": ("many_lights", 27, 20, [
+        ("add(i, illuminate(material,",
+         'add(i, illuminate({**material, "ambient": [0, 0, 0]} if light in lights[1:] else material,')]),
+    "reflection-along-normal": ("original", 40, 36, [("sub(r1, scale(2 * dot(r1, n), n))", "n")]),
+    "weight-unused": ("original", 40, 36, [("scale(weight, i)", "i")]),
+    "weight-halved": ("original", 40, 36, [
+        ('weight *= material["reflection"]', 'weight *= material["reflection"] / 2')],
+                      {"materials.grey.reflection": 0.8}),
+    "own-light-reflected": ("original", 40, 36, [("scale(weight, i)", 'scale(weight * material["reflection"], i)')]),
+    "tone-mapped": ("original", 40, 36, [("min(max(c, 0), 1)", "c / (1 + c)")]),
+    "hue-kept": ("bright", 20, 31, [("min(max(c, 0), 1)", 'c / max(1, *answer["colour"])')]),
 }
 
 # Scenes that the tracer can read, and pixels of them that show much.
@@ -344,6 +383,10 @@ class Slips(GradeTest):
         self.assertIn("none of the slips", out.decode())
         self.assertIn("Given is 7 times what is expected.", out.decode())
 
+    def test_one_ray_where_the_scene_asks_for_several_is_a_slip(self):
+        found, _ = self.grade("grid", walkthrough(TEXT, read_scene("grid"), 2, 43), status=1)
+        self.assertIn("one-sample", [cause["slip"] for cause in found["causes"]])
+
     def test_two_slips_are_taken_one_after_the_other(self):
         edits = PLANTED["alpha-undivided"][3] + PLANTED["weight-squared"][3]
         found, _ = self.grade("original", walkthrough(planted(edits), read_scene("original"), 40, 36), status=1)
@@ -419,6 +462,19 @@ class Reading(GradeTest):
         found, _ = self.grade("original", document, "--pixel", "40,36", status=1)
         self.assertEqual(found["difference"]["member"], "n_dot_h")
         self.assertTrue(self.grade("original", document, "--pixel", "40,36", "--tolerance", "0,1e-3")[0]["same"])
+
+    def test_hits_are_asked_for(self):
+        found, _ = self.grade("original", {"summary": {"hits": []}}, "--pixel", "40,36", status=1)
+        self.assertEqual((found["difference"]["event"], found["difference"]["given"]), ("hit", "nothing more"))
+        self.assertIn("a hit of floor/5, t = 2.18077", found["difference"]["expected"])
+
+    def test_of_several_samples_one_is_asked_for(self):
+        for sample in ("0,0", "2,1"):
+            out, _ = self.run_program("trace", str(scene_path("grid")), "--pixel", "2,43", "--sample", sample,
+                                      "-f", "json")
+            self.assertTrue(self.grade("grid", out.decode())[0]["same"])
+        out, _ = self.run_program("trace", str(scene_path("gallery")), "--pixel", "640,100", "-f", "json")
+        self.assertTrue(self.grade("gallery", out.decode())[0]["same"])
 
     def test_a_verdict_may_be_a_yes_or_no(self):
         document = {"summary": {"hits": [{"face": "floor/5", "t": 2.18077, "lights": [{"light": 0, "reaches": True}]},

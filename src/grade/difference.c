@@ -113,11 +113,12 @@ static bool same_bytes(Comparison *comparison, const cJSON *object, const cJSON 
 
 /* --- Members --- */
 
-/* How a student's tracer shifts a point is its own affair, and so is the exact sign of what is nearly 0. Which of
- * several faces in the way was found first is a matter of the tree. */
+/* How a tracer shifts a point is its own affair, and so is the exact sign of what is nearly 0. Which of several faces
+ * in the way was found first is a matter of the tree. A wrong exponent shows in the highlight. */
 static bool is_free(EventKind kind, const char *name)
 {
-    static const char *const names[] = {"event", "shift", "shifted", "shadow_origin", "origin", "told", "edge_signs"};
+    static const char *const names[] = {"event",  "shift", "shifted",    "shadow_origin",
+                                        "origin", "told",  "edge_signs", "exponent"};
     static const char *const of_blocker[] = {"face", "object", "part", "face_in_object", "piece", "pieces"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(name, names[i]) == 0)

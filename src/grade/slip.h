@@ -1,7 +1,6 @@
 /* The slips that grading knows: mistakes that people make when they write a ray tracer, each as a table of steps in
  * which one is done wrongly. A pixel that is traced so is what a program with this slip finds. To add one: its step and
- * its line in slips_camera.c, slips_face.c, slips_light.c, slips_shading.c, slips_mirror.c or slips_colour.c, and a
- * line in the table of docs/grading.md. */
+ * its line in one of the files slips_NAME.c, and a row in the table of docs/grading.md. */
 #ifndef RECTRAY_SLIP_H
 #define RECTRAY_SLIP_H
 
@@ -20,7 +19,8 @@ typedef struct Slip {
 } Slip;
 
 /* Lists that end in a NULL name. */
-extern const Slip slip_camera[], slip_face[], slip_light[], slip_shading[], slip_mirror[], slip_colour[];
+extern const Slip slip_camera[], slip_face[], slip_edge[], slip_light[], slip_term[], slip_shading[], slip_mirror[],
+    slip_colour[];
 
 /* The slip with that number in all the lists, in their order; NULL behind the last. */
 const Slip *slip_number(int number);

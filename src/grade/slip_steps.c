@@ -26,6 +26,13 @@ static bool nearer(const SlipHit *nearest, double t)
     return nearest->face < 0 || t < nearest->test.t_in_box;
 }
 
+/* 3. P = O + t R. */
+static Vec3 point(const Scene *scene, Ray ray, double t)
+{
+    (void)scene;
+    return vec3_add(ray.origin, vec3_scale(t, ray.direction));
+}
+
 /* 6. N turned to the side that the ray came from. */
 static Vec3 normal(const Scene *scene, const SlipHit *hit)
 {
@@ -128,6 +135,7 @@ SlipSteps slip_steps_of(const SlipSteps *slip)
     OR_RIGHT(direction, direction);
     OR_RIGHT(test, test);
     OR_RIGHT(nearer, nearer);
+    OR_RIGHT(point, point);
     OR_RIGHT(normal, normal);
     OR_RIGHT(shifted, shifted);
     OR_RIGHT(side, slip_steps_side);

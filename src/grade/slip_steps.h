@@ -48,6 +48,7 @@ typedef struct SlipSteps {
     Vec3 (*direction)(const View *view, ScreenPoint at);                   /* 1 */
     FaceTest (*test)(const Scene *scene, int face, Ray ray);               /* 3, 4 */
     bool (*nearer)(const SlipHit *nearest, double t);                      /* 5 */
+    Vec3 (*point)(const Scene *scene, Ray ray, double t);                  /* 3 */
     Vec3 (*normal)(const Scene *scene, const SlipHit *hit);                /* 6 */
     Vec3 (*shifted)(const Scene *scene, const SlipHit *hit);               /* 6 */
     int (*side)(const Scene *scene, const SlipHit *hit, int light);        /* 6: > 0 where the light is in front */

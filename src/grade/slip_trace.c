@@ -27,7 +27,7 @@ static void place_hit(const SlipTracer *tracer, SlipHit *hit, Ray primary, int b
 {
     hit->primary = primary;
     hit->r = vec3_unit(hit->ray.direction);
-    hit->point = vec3_add(hit->ray.origin, vec3_scale(hit->test.t, hit->ray.direction));
+    hit->point = tracer->steps.point(tracer->scene, hit->ray, hit->test.t);
     hit->normal = tracer->steps.normal(tracer->scene, hit);
     hit->shifted = tracer->steps.shifted(tracer->scene, hit);
     RECORD(tracer, EVENT_HIT, .as.hit = {hit->face, hit->test, hit->point, hit->normal, hit->shifted, bounces});

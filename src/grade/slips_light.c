@@ -22,6 +22,24 @@ static Vec3 normal_not_unit(const Scene *scene, const SlipHit *hit)
     return vec3_scale(hit->test.n_dot_r > 0 ? -plane->length : plane->length, plane->normal);
 }
 
+static Vec3 point_minus(const Scene *scene, Ray ray, double t)
+{
+    (void)scene;
+    return vec3_sub(ray.origin, vec3_scale(t, ray.direction));
+}
+
+/* The file's origin is elsewhere than the traced scene's. */
+static Vec3 origin_forgotten(const Scene *scene, Ray ray, double t)
+{
+    return vec3_sub(vec3_scale(t, ray.direction), scene->centre);
+}
+
+/* As seen from P, which may be off the plane. */
+static int side_of_point(const Scene *scene, const SlipHit *hit, int light)
+{
+    return vec3_dot(hit->normal, vec3_sub(scene->lights[light].position, hit->point)) > 0 ? 1 : -1;
+}
+
 /* As seen along the normal as it is stored. */
 static int side_of_stored(const Scene *scene, const SlipHit *hit, int light)
 {
@@ -31,6 +49,12 @@ static int side_of_stored(const Scene *scene, const SlipHit *hit, int light)
 static int side_turned_away(const Scene *scene, const SlipHit *hit, int light)
 {
     return -slip_steps_side(scene, hit, light);
+}
+
+static int in_plane_counts(const Scene *scene, const SlipHit *hit, int light)
+{
+    int side = slip_steps_side(scene, hit, light);
+    return side == 0 ? 1 : side;
 }
 
 static int any_side(const Scene *scene, const SlipHit *hit, int light)
@@ -135,6 +159,7 @@ static Vec3 not_shifted(const Scene *scene, const SlipHit *hit)
     return hit->point;
 }
 
+#define PLANE "algorithm.md#3-the-plane-hit"
 #define READ "algorithm.md#6-shadows"
 
 const Slip slip_light[] = {
@@ -159,6 +184,10 @@ const Slip slip_light[] = {
      .steps = {.between = own_face_between, .shifted = not_shifted}},
     {"shift-inwards", "The shifted point is on the wrong side of its face.", "S = P + a little n", "S = P - a little n",
      READ, .steps = {.shifted = shifted_into}},
+    {"point-minus", "P lies on the wrong side of O.", "P = O + t R", "P = O - t R", PLANE,
+     .steps = {.point = point_minus, .side = side_of_point, .shifted = shifted_by_textbook}},
+    {"origin-forgotten", "The origin of the ray is not added.", "P = O + t R", "P = t R", PLANE,
+     .steps = {.point = origin_forgotten, .side = side_of_point, .shifted = shifted_by_textbook}},
     {"normal-not-turned", "The normal is not turned to the side that the ray came from.", "n = -N where N.R > 0",
      "n = N", READ, .steps = {.normal = normal_as_stored, .side = side_of_stored}},
     {"normal-not-turned-for-light", "The normal is not turned to the viewer where it is asked for the light's side.",
@@ -167,6 +196,8 @@ const Slip slip_light[] = {
      "n = -N where N.R < 0", READ, .steps = {.normal = normal_turned_away, .side = side_turned_away}},
     {"normal-not-unit", "The normal is not made a unit vector.", "N = unit(a x b)", "N = a x b",
      "algorithm.md#2-faces-and-their-planes", .steps = {.normal = normal_not_unit}},
+    {"light-in-plane-counts", "A light in the face's own plane lights it.", "n.(light - v0) > 0", "n.(light - v0) >= 0",
+     READ, .steps = {.side = in_plane_counts}},
     {"light-behind-counts", "A light behind the face is not left out.", "n.(light - v0) > 0, else no light",
      "the shadow ray alone decides", READ, .steps = {.side = any_side}},
     {"rounding", "No slip: your arithmetic rounds otherwise, and here rounding decides.",

@@ -1,4 +1,4 @@
-/* Slips of steps 7 and 8: the illumination. */
+/* Slips of steps 7 and 8: colours and directions, and what is added up. */
 #include "grade/slip.h"
 
 #include <stddef.h>
@@ -112,139 +112,6 @@ static void other_shadow_rule(Scene *scene)
     scene->shading.shadow = scene->shading.shadow == SHADOW_BLACK ? SHADOW_AMBIENT : SHADOW_BLACK;
 }
 
-/* --- The terms --- */
-
-/* The right terms with another diffuse factor. */
-static Illumination with_diffuse(const SlipShine *shine, double factor)
-{
-    Illumination terms = slip_steps_terms(shine);
-    terms.diffuse = vec3_scale(factor, vec3_multiply(shine->material.diffuse, shine->light.diffuse));
-    return terms;
-}
-
-/* The right terms with another highlight. */
-static Illumination with_highlight(const SlipShine *shine, double highlight)
-{
-    Illumination terms = slip_steps_terms(shine);
-    terms.specular = vec3_scale(highlight, vec3_multiply(shine->material.specular, shine->light.specular));
-    return terms;
-}
-
-static double exponent(const SlipShine *shine)
-{
-    return shine->material.shininess / 4;
-}
-
-static Illumination diffuse_everywhere(const SlipShine *shine)
-{
-    return with_diffuse(shine, 1);
-}
-
-static Illumination diffuse_unclamped(const SlipShine *shine)
-{
-    return with_diffuse(shine, vec3_dot(shine->hit->normal, shine->l));
-}
-
-/* The shadow ray alone decides. */
-static int any_side(const Scene *scene, const SlipHit *hit, int light)
-{
-    (void)scene;
-    (void)hit;
-    (void)light;
-    return 1;
-}
-
-static Illumination diffuse_both_sides(const SlipShine *shine)
-{
-    return with_diffuse(shine, fabs(vec3_dot(shine->hit->normal, shine->l)));
-}
-
-static Illumination diffuse_negated(const SlipShine *shine)
-{
-    return with_diffuse(shine, fmax(0, -vec3_dot(shine->hit->normal, shine->l)));
-}
-
-static Illumination diffuse_of_viewer(const SlipShine *shine)
-{
-    return with_diffuse(shine, fmax(0, vec3_dot(shine->hit->normal, shine->v)));
-}
-
-static Illumination highlight_unclamped(const SlipShine *shine)
-{
-    Illumination terms = slip_steps_terms(shine);
-    return with_highlight(shine, pow(vec3_dot(shine->hit->normal, terms.h), exponent(shine)));
-}
-
-static Illumination highlight_both_sides(const SlipShine *shine)
-{
-    Illumination terms = slip_steps_terms(shine);
-    return with_highlight(shine, pow(fabs(vec3_dot(shine->hit->normal, terms.h)), exponent(shine)));
-}
-
-/* Phong's (R.V): R is L mirrored at N. */
-static double r_dot_v(const SlipShine *shine)
-{
-    Vec3 n = shine->hit->normal, r = vec3_sub(vec3_scale(2 * vec3_dot(n, shine->l), n), shine->l);
-    return fmax(0, vec3_dot(r, shine->v));
-}
-
-static Illumination phong(const SlipShine *shine)
-{
-    return with_highlight(shine, pow(r_dot_v(shine), exponent(shine)));
-}
-
-static Illumination phong_undivided(const SlipShine *shine)
-{
-    return with_highlight(shine, pow(r_dot_v(shine), shine->material.shininess));
-}
-
-static Illumination with_h(const SlipShine *shine, Vec3 h)
-{
-    double n_dot_h = fmax(0, vec3_dot(shine->hit->normal, h));
-    Illumination terms = with_highlight(shine, pow(n_dot_h, exponent(shine)));
-    terms.h = h;
-    terms.n_dot_h = n_dot_h;
-    return terms;
-}
-
-static Illumination h_not_unit(const SlipShine *shine)
-{
-    return with_h(shine, vec3_add(shine->l, shine->v));
-}
-
-static Illumination h_halved(const SlipShine *shine)
-{
-    return with_h(shine, vec3_scale(0.5, vec3_add(shine->l, shine->v)));
-}
-
-static Illumination h_difference(const SlipShine *shine)
-{
-    return with_h(shine, vec3_unit(vec3_sub(shine->l, shine->v)));
-}
-
-static Illumination h_is_l(const SlipShine *shine)
-{
-    return with_h(shine, shine->l);
-}
-
-static Illumination highlight_times_cosine(const SlipShine *shine)
-{
-    Illumination terms = slip_steps_terms(shine);
-    terms.specular = vec3_scale(terms.l_dot_n, terms.specular);
-    return terms;
-}
-
-/* Fading with the distance: the text has lights that do not fade. */
-static Illumination fading(const SlipShine *shine)
-{
-    Vec3 way = vec3_sub(shine->light.position, shine->hit->point);
-    Illumination terms = slip_steps_terms(shine);
-    double factor = 1 / vec3_dot(way, way);
-    terms.diffuse = vec3_scale(factor, terms.diffuse);
-    terms.specular = vec3_scale(factor, terms.specular);
-    return terms;
-}
-
 /* --- What counts --- */
 
 static Vec3 ambient_once(const SlipShine *shine, const Illumination *terms)
@@ -262,10 +129,22 @@ static Vec3 all_terms_in_shadow(const SlipShine *shine, const Illumination *term
     return vec3_add(vec3_add(terms->ambient, terms->diffuse), terms->specular);
 }
 
+static Vec3 nothing_in_shadow(const SlipShine *shine, const Illumination *terms)
+{
+    return shine->reaches ? all_terms_in_shadow(shine, terms) : black;
+}
+
 static Vec3 only_the_last(Vec3 sum, Vec3 light)
 {
     (void)sum;
     return light;
+}
+
+static bool dark_ends(const SlipEnd *end, PathEnd *reason)
+{
+    bool dark = end->reaching == 0, last = end->bounces == end->scene->shading.max_bounces;
+    *reason = dark ? PATH_IN_SHADOW : end->material->reflection == 0 ? PATH_NOT_MIRROR : PATH_MAX_BOUNCES;
+    return dark || end->material->reflection == 0 || last;
 }
 
 static bool dark_goes_on(const SlipEnd *end, PathEnd *reason)
@@ -285,18 +164,6 @@ const Slip slip_shading[] = {
     {"alpha-halved", "The exponent is alpha/2, not alpha/4.", BLINN, "s = (N.H)^(alpha/2)", LIGHT,
      .steps = {.colours = alpha_halved}},
     {"no-exponent", "The highlight has no exponent.", BLINN, "s = N.H", LIGHT, .steps = {.colours = no_exponent}},
-    {"phong", "The highlight is Phong's, of the mirrored light, not Blinn's.", BLINN, "s = (R.V)^(alpha/4)", LIGHT,
-     .steps = {.terms = phong}},
-    {"phong-undivided", "The highlight is Phong's, with the exponent alpha.", BLINN, "s = (R.V)^alpha", LIGHT,
-     .steps = {.terms = phong_undivided}},
-    {"h-not-unit", "The halfway vector is not made a unit vector.", "H = unit(L + V)", "H = L + V", LIGHT,
-     .steps = {.terms = h_not_unit}},
-    {"h-halved", "The halfway vector is the mean of L and V, which is no unit vector.", "H = unit(L + V)",
-     "H = (L + V)/2", LIGHT, .steps = {.terms = h_halved}},
-    {"h-difference", "The halfway vector is made of the difference of L and V.", "H = unit(L + V)", "H = unit(L - V)",
-     LIGHT, .steps = {.terms = h_difference}},
-    {"h-is-l", "The highlight has L where H should be.", BLINN, "s = (N.L)^(alpha/4)", LIGHT,
-     .steps = {.terms = h_is_l}},
     {"light-colour-forgotten", "The light's colours are forgotten.", SUM, "I = ka + kd (L.N) + ks s", LIGHT,
      .steps = {.colours = light_colours_forgotten}},
     {"light-colour-diffuse", "The light's diffuse colour is used for all three terms.", SUM,
@@ -315,24 +182,6 @@ const Slip slip_shading[] = {
      .steps = {.colours = no_specular}},
     {"ks-forgotten", "The material's specular colour is forgotten: every highlight is white.", SUM,
      "I = ka ia + kd id (L.N) + is s", LIGHT, .steps = {.colours = white_highlight}},
-    {"no-cosine", "The diffuse term has no cosine.", "kd id (L.N)", "kd id", LIGHT,
-     .steps = {.terms = diffuse_everywhere}},
-    {"diffuse-not-clamped", "A light behind the face takes diffuse light away: L.N is not clamped at 0.", "max(0, L.N)",
-     "L.N, and no test of the light's side", LIGHT, .steps = {.terms = diffuse_unclamped, .side = any_side}},
-    {"diffuse-both-sides", "The diffuse term has the absolute value of L.N.", "max(0, L.N)", "|L.N|", LIGHT,
-     .steps = {.terms = diffuse_both_sides}},
-    {"diffuse-negated", "L.N has the wrong sign.", "max(0, L.N)", "max(0, -L.N)", LIGHT,
-     .steps = {.terms = diffuse_negated}},
-    {"diffuse-of-viewer", "The diffuse term has V where L should be.", "kd id (L.N)", "kd id (V.N)", LIGHT,
-     .steps = {.terms = diffuse_of_viewer}},
-    {"highlight-not-clamped", "N.H is not clamped at 0 before it is raised to the power.", "s = max(0, N.H)^(alpha/4)",
-     "s = (N.H)^(alpha/4) of a negative N.H", LIGHT, .steps = {.terms = highlight_unclamped}},
-    {"highlight-both-sides", "The highlight has the absolute value of N.H.", "max(0, N.H)", "|N.H|", LIGHT,
-     .steps = {.terms = highlight_both_sides}},
-    {"highlight-cosine", "The highlight is multiplied by L.N.", "ks is s", "ks is s (L.N)", LIGHT,
-     .steps = {.terms = highlight_times_cosine}},
-    {"fading-light", "The light fades with the distance; in the text it does not.", SUM,
-     "kd id (L.N) and ks is s over the distance squared", LIGHT, .steps = {.terms = fading}},
     {"l-not-unit", "L is not made a unit vector.", "L = unit(light - P)", "L = light - P", LIGHT,
      .steps = {.to_light = as_it_is}},
     {"l-backwards", "L points from the light to the point.", "L = unit(light - P)", "L = unit(P - light)", LIGHT,
@@ -347,6 +196,10 @@ const Slip slip_shading[] = {
      "\"shadow\" the other way", SHADOW, .steps = {.scene = other_shadow_rule}},
     {"lit-in-shadow", "A light that is blocked counts with all its terms.", "in shadow I = ka ia", SUM, SHADOW,
      .steps = {.lit = all_terms_in_shadow}},
+    {"nothing-in-shadow", "A light in shadow adds nothing, although the rule is \"ambient\".",
+     "by the rule \"ambient\", I = ka ia in shadow", "I = 0 in shadow", SHADOW, .steps = {.lit = nothing_in_shadow}},
+    {"dark-ends", "The path ends where no light reaches the point; by the rule \"ambient\" it goes on.",
+     "\"shadow\" ambient: the path goes on", "the path ends in shadow", SHADOW, .steps = {.ends = dark_ends}},
     {"ambient-once", "The ambient term counts once, not once for each light.", "the sum of I over the lights",
      "ka ia of one light only", SHADOW, .steps = {.lit = ambient_once}},
     {"last-light-only", "Only the last light counts: the lights are not added up.", "the sum of I over the lights",
