@@ -164,11 +164,12 @@ static void options_should_suggest_the_nearest_of_the_command(void)
 static void options_should_refuse_those_of_other_commands(void)
 {
     assert_refused("check a --size 3x3",
-                   "check takes no --size; that is an option of: render trace explore bench grade");
-    assert_refused("check a -s 3x3", "check takes no --size; that is an option of: render trace explore bench grade");
+                   "check takes no --size; that is an option of: render trace explore bench grade generate");
+    assert_refused("check a -s 3x3",
+                   "check takes no --size; that is an option of: render trace explore bench grade generate");
     assert_refused(
         "cast a --output b",
-        "cast takes no --output; that is an option of: render trace explore compare generate bench tree frame join");
+        "cast takes no --output; that is an option of: render explore trace frame generate compare bench tree join");
 }
 
 static void options_should_be_known_by_their_unambiguous_beginning(void)

@@ -5,7 +5,7 @@
 
 /* clang-format off */
 const Command command_table[] = {
-    {"render", "SCENE", 1, 1, "Renders a scene to a PNG picture.", command_render,
+    {"render", "SCENE", 1, 1, "Renders a scene to a picture: PNG, PPM or PFM.", command_render,
      {{"rectray render scenes/cornell.json -o room.png", "the room, as its file says"},
       {"rectray render scenes/gallery.json --size 1920x1080 --grid 4", "larger, 16 rays a pixel, to gallery.png"}}},
     {"trace", "SCENE", 1, 1, "Tells step by step how a pixel gets its colour.", command_trace,

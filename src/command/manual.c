@@ -22,7 +22,7 @@ static void put(FILE *out, const char *text)
     }
 }
 
-/* "Renders a scene to a PNG picture." as the line NAME wants it: a small first letter, no full stop. */
+/* "Renders a scene to a picture: PNG, PPM or PFM." as the line NAME wants it: a small first letter, no full stop. */
 static void put_summary(FILE *out, const char *summary)
 {
     char line[128];

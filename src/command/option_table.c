@@ -17,11 +17,24 @@
 #define WORD(name, list) .kind = OPTION_WORD, .field = (int)offsetof(Options, name), .words = (list)
 #define OWN(function) .kind = OPTION_OWN, .set = (function)
 
+#define OUTPUT_FILE TEXT(output), .expects = "the name of a file, or - for standard output"
+
 /* clang-format off */
 const Option option_table[] = {
-    {"output", 'o', "FILE", "render trace explore compare generate bench tree frame join",
-     "write the output there; - is standard output",
-     TEXT(output), .expects = "the name of a file, or - for standard output"},
+    {"output", 'o', "FILE", "render", "the picture; - is standard output (default: the scene's name, .png)",
+     OUTPUT_FILE},
+    {"output", 'o', "FILE", "explore", "the page; - is standard output (default: the scene's name, .html)",
+     OUTPUT_FILE},
+    {"output", 'o', "FILE", "trace frame generate", "write there (default: standard output, -)",
+     OUTPUT_FILE},
+    {"output", 'o', "FILE", "compare", "draw the differences, the largest of them white (default: do not)",
+     OUTPUT_FILE},
+    {"output", 'o', "FILE", "bench", "put the tables into that document (default: standard output, -)",
+     OUTPUT_FILE},
+    {"output", 'o', "FILE", "tree", "draw the boxes: a name that ends in .svg or .obj (default: do not)",
+     OUTPUT_FILE},
+    {"output", 'o', "FILE", "join", "the whole picture; - is standard output. Must be given",
+     OUTPUT_FILE},
     {"size", 's', "COLUMNSxROWS", "render trace explore bench grade", "pixels of the picture, instead of the scene's",
      OWN(option_set_size), .expects = "two whole numbers from 1 to 16384, such as 640x480"},
     {"region", 0, "COLUMN,ROW,COLUMNSxROWS", "render", "render only this part of the picture",
@@ -112,7 +125,7 @@ const Option option_table[] = {
     {"json", 0, NULL, "bench devices check grade", "print one JSON object instead of text", FLAG(json)},
     {"backend", 'b', "NAME", "render cast", "opencl (default), or reference: plain C in double",
      WORD(backend, render_backends)},
-    {"device", 'd', "N", "render cast bench", "the OpenCL device, as `rectray devices` numbers them",
+    {"device", 'd', "N", "render cast bench", "as `rectray devices` numbers them (default: PoCL, else the first)",
      NUMBER(settings.device, 0, 9999), .expects = "a number that `rectray devices` lists"},
     {"precision", 'p', "NAME", "render trace cast bench", "of kernel and textbook: float (default) or double",
      OWN(option_set_precision), .words = render_precisions},
@@ -129,13 +142,13 @@ const Option option_table[] = {
     {"step", 0, "N", "tree", "show the first N nodes with the planes that were tried and their costs",
      NUMBER(steps, 1, 1000)},
     {"verbose", 'v', NULL, "tree", "with --step: every plane, not only the 8 cheapest across each axis", FLAG(verbose)},
-    {"lanes", 0, "N", "render cast bench", "rays that an OpenCL work-item traces: 1, 4, 8 or 16",
+    {"lanes", 0, "N", "render cast bench", "rays of an OpenCL work-item: 1, 4, 8, 16 (default: what suits it)",
      OWN(option_set_lanes), .words = option_lane_words},
     {"no-skip", 0, "NAMES", "render", "do work that the scene needs not: all, or names such as tree,mirrors",
      OWN(option_set_no_skip),
      .expects = "all, or names of \"skipped\" in --stats=json with commas between them, such as tree,mirrors"},
     {"threads", 't', "N", "render bench", "processors to use (default: all)", NUMBER(settings.threads, 1, 256)},
-    {"stats", 0, "[=FORMAT]", "render cast", "tell what was done and how long it took: text or json",
+    {"stats", 0, "[=FORMAT]", "render cast", "tell what was done and how long it took: text (default) or json",
      OWN(option_set_stats), .words = option_stats_formats},
     {"progress", 0, "WHEN", "render", "auto (default: on a terminal), always or never",
      WORD(progress, option_progress_modes)},

@@ -89,10 +89,17 @@ static const Option *option_found(int value)
 
 /* --- What is wrong --- */
 
+/* An option of several meanings has several lines in the table. */
 static bool belongs_elsewhere(const Command *command, const Option *option, Error *error)
 {
-    return error_set(error, ERROR_USAGE, "%s takes no --%s; that is an option of: %s", command->name, option->name,
-                     option->commands);
+    char commands[256] = "";
+    for (const Option *other = option_table; other->name; other++)
+        if (strcmp(other->name, option->name) == 0) {
+            size_t used = strlen(commands);
+            snprintf(commands + used, sizeof commands - used, " %s", other->commands);
+        }
+    return error_set(error, ERROR_USAGE, "%s takes no --%s; that is an option of:%s", command->name, option->name,
+                     commands);
 }
 
 static bool unknown_letter(const Command *command, int letter, Error *error)
