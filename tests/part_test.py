@@ -114,7 +114,7 @@ class Joining(PartTest):
         _, status, usage = os.wait4(process.pid, 0)
         process.communicate()
         self.assertEqual(status, 0)
-        self.assertLess(usage.ru_maxrss, 22000)  # KiB; the picture would be 36 MB
+        self.assertLess(usage.ru_maxrss, 32000)  # KiB, Python's own at its start among them; the picture is 36 MB more
 
 
 class Parts(PartTest):

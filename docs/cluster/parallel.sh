@@ -5,9 +5,9 @@
 #     docs/cluster/parallel.sh HOSTS N parts SCENE FOLDER [OPTION...]
 #
 # HOSTS is a file for `parallel --sshloginfile`: a host a line, such as 4/node1 for four tasks at once; `:` is this
-# machine. N is how many tasks the work is divided into. The hosts share the folders of the scene and the pictures. A task
-# that fails, or whose host dies, is tried up to three times, on another host where there is one. Run again, the script
-# does what is missing.
+# machine. N is how many tasks the work is divided into. The hosts share the folders of the scene and the pictures. A
+# task that fails, or whose host dies, is tried up to three times, on another host where there is one. Run again, the
+# script does what is missing.
 set -euo pipefail
 [ $# -ge 5 ] || { sed -n '2,/^set/{/^#/s/^#\( \|$\)//p}' "$0" >&2; exit 2; }
 hosts=$1 n=$2 kind=$3 scene=$4 to=$5

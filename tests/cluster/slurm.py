@@ -1,6 +1,6 @@
 """A Slurm of this machine alone, for the tests: one controller, and nodes that are namespaces of their own, so that a
-node can die with all its processes. Its files, keys and sockets lie in one folder; the system's own Slurm, where there is
-one, is not touched."""
+node can die with all its processes. Its files, keys and sockets lie in one folder; the system's own Slurm, where there
+is one, is not touched."""
 import os
 import shutil
 import signal
