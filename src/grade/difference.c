@@ -117,8 +117,8 @@ static bool same_bytes(Comparison *comparison, const cJSON *object, const cJSON 
  * in the way was found first is a matter of the tree. A wrong exponent shows in the highlight. */
 static bool is_free(EventKind kind, const char *name)
 {
-    static const char *const names[] = {"event",  "shift", "shifted",    "shadow_origin",
-                                        "origin", "told",  "edge_signs", "exponent"};
+    static const char *const names[] = {"event", "shift",      "shifted", "shadow_origin", "origin",
+                                        "told",  "edge_signs", "side",    "exponent"};
     static const char *const of_blocker[] = {"face", "object", "part", "face_in_object", "piece", "pieces"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(name, names[i]) == 0)

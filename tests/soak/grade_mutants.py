@@ -62,6 +62,8 @@ KNOWN = {
 NUMBER = "a number that no hand writes: the place and both values are told"
 CANNOT = {
     "samples-off-centre": NUMBER, "textbook-pixel-corner": NUMBER, "textbook-outside": NUMBER,
+    "alpha-undivided": "the document contradicts itself: its highlight is right, its terms are not",
+    "behind-counts": "only a ray that starts in the box of a face it has left meets it again",
     "textbook-sum-for-mean": "the samples' sum is divided by their root: the place and the ratio are told",
     "textbook-last-light-decides": "only the end of the path differs, as it does without mirrors",
 }
