@@ -191,6 +191,37 @@ class Frames(Films):
                     self.assertEqual(self.bytes_of(f"d{frame}.png"), self.single(frame, *words, "-b", "opencl"),
                                      f"{name} {words} frame {frame}")
 
+    def test_what_was_left_out_for_one_frame_is_not_for_the_next(self):
+        """The camera flies through a box, a one-sided face turns its back, a light goes black."""
+        colours = {name: [1, 1, 1] for name in ("ambient", "diffuse", "specular")}
+        black = dict.fromkeys(colours, [0, 0, 0])
+        scene = {
+            "animation": {"frames": 9, "camera": [{"frame": 0, "position": [0.3, 0.4, 6], "look_at": [0.3, 0.4, 0]},
+                                                  {"frame": 8, "position": [0.3, 0.4, -6], "look_at": [0, 0, -9]}],
+                          "lights": {"0": [{"frame": 0, "position": [3, 4, 5], **colours},
+                                           {"frame": 8, "position": [-3, -4, -5], **black}]}},
+            "camera": {"position": [0, 0, 6], "look_at": [0, 0, 0]}, "screen": {"columns": 48, "rows": 36},
+            "lights": [{"position": [3, 4, 5]}, {"position": [0, 4, 5]}], "materials": SCENE["materials"],
+            "objects": [{"material": "pink", "box": {"min": [-2, -2, -2], "max": [2, 2, 2]}},
+                        {"material": "pink", "box": {"min": [-1, -1, -5], "max": [0, 0, -4]}},
+                        {"material": "pink", "sided": "front", "faces": [[0, 1, 2, 3]],
+                         "vertices": [[-3, -3, -8], [3, -3, -8], [3, 3, -8], [-3, 3, -8]]}]}
+        self.put("moving.json", json.dumps(scene))
+        for words in ([], ["--sampling", "adaptive:4"], ["--accel", "bvh", "--depth", "16"]):
+            self.run_program("render", "moving.json", "--frames", "all", "-o", "w%d.png", *words)
+            for frame in (0, 3, 5, 8):
+                self.assertEqual(self.bytes_of(f"w{frame}.png"), self.single(frame, *words), f"{words} {frame}")
+
+    def test_device_kernel_and_tree_are_made_once(self):
+        words = ["--frames", "all", "-o", "o%d.png", "--accel", "bvh", "--stats=json"]
+        one = json.loads(self.run_program("render", "moving.json", "--frame", "0", "-o", "o.png", *words[4:])[0])
+        still = {"frames": 8, "camera": KEYS, "lights": MOVING["animation"]["lights"]}
+        self.put("moving.json", json.dumps({**SCENE, "animation": still}))
+        many = json.loads(self.run_program("render", "moving.json", *words)[0])
+        self.assertEqual(many["rays"]["primary"], 8 * one["rays"]["primary"])
+        for phase in ("device", "build"):
+            self.assertLess(many["phases_ms"][phase], 4 * one["phases_ms"][phase] + 1, phase)
+
     def test_the_pattern(self):
         self.render_frames("6-7", "-o", "a%%b-%d.ppm")
         self.render_frames("7-7")

@@ -32,6 +32,7 @@ typedef struct Painter {
     unsigned char colour[3]; /* of its first pixel */
     bool varies;             /* some pixel has another colour */
     Image marked;            /* the whole region, where a pixel of it is to be marked; else without pixels */
+    BackendFilm *film;       /* whose frame the picture is, or NULL */
     double *linear;          /* the whole region in linear colours, where they are written; else NULL */
 } Painter;
 
@@ -135,9 +136,11 @@ static bool trace(const Options *options, Scene *scene, Painter *painter, Render
     settings.precision = precision_of(options);
     settings.linear = painter->linear;
     settings.notice = (Notice){show_notice, tell_foreseen, painter};
-    if (options->map_count == 0 && !render_frames_wanted(options)) /* maps, and more frames, are made of the scene */
+    if (options->map_count == 0 && !painter->film) /* maps, and more frames, are made of the scene */
         settings.spent = (Spent){free_planes, scene};
-    bool done = backend_render(options->backend, scene, &settings, sink, report, error);
+    bool done = painter->film
+                    ? backend_film_render(painter->film, options->backend, scene, &settings, sink, report, error)
+                    : backend_render(options->backend, scene, &settings, sink, report, error);
     progress_end(&painter->progress);
     return done;
 }
@@ -227,8 +230,9 @@ static bool paint(const Options *options, Scene *scene, ImageKind kind, Painter 
     return written;
 }
 
-/* Traces the scene into the file `output`. */
-static bool render(const Options *options, Scene *scene, const char *output, Stats *stats, Error *error)
+/* Traces the scene, which may be a frame of a film, into the file `output`. */
+static bool render(const Options *options, Scene *scene, const char *output, BackendFilm *film, Stats *stats,
+                   Error *error)
 {
     ImageKind kind = {.part = NULL};
     char note[PART_NOTE_ROOM];
@@ -241,7 +245,8 @@ static bool render(const Options *options, Scene *scene, const char *output, Sta
     }
     double start = clock_ms();
     const Region region = render_region(&options->settings, scene);
-    Painter painter = {.region = region,
+    Painter painter = {.film = film,
+                       .region = region,
                        .writer = image_writer_open_as(output, kind, region.columns, region.rows, error)};
     if (!painter.writer)
         return false;
@@ -265,8 +270,8 @@ static bool render_scene(const Options *options, Scene *scene, Stats *stats, dou
     char *output = options->output ? text_copy(options->output, error)
                                    : default_output(options->operands[0], options->part, error);
     bool to_stdout = output && strcmp(output, "-") == 0;
-    bool done =
-        output && spare_scene(options->operands[0], output, error) && render(options, scene, output, stats, error);
+    bool done = output && spare_scene(options->operands[0], output, error) &&
+                render(options, scene, output, NULL, stats, error);
     stats->total_ms = clock_ms() - start_ms;
     const Region region = render_region(&options->settings, scene);
     if (done && !options->quiet && !to_stdout)

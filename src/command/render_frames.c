@@ -23,8 +23,10 @@ typedef struct Frames {
     char *pattern; /* NULL: they become a film */
     Film *film;
     int first, last;
-    Scene scene; /* of the frame that was rendered last */
+    Scene scene;      /* of the frame that was rendered last */
+    BackendFilm held; /* and what of it is on the device */
     int rendered, skipped;
+    Stats stats; /* of all frames that were rendered */
 } Frames;
 
 /* --- What is asked for --- */
@@ -39,7 +41,6 @@ static bool check_options(const Options *options, Error *error)
         {options->map_count > 0, "--map", "a map is of one picture; choose it with --frame"},
         {options->mark_given, "--mark", "a pixel is marked in one picture; choose it with --frame"},
         {options->watch, "--watch", "it renders one picture again and again; choose it with --frame"},
-        {options->stats != STATS_NONE, "--stats", "they are of one picture; choose it with --frame"},
     };
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (others[i].given)
@@ -134,26 +135,37 @@ static bool spare_scene(const Frames *frames, const char *name, Error *error)
 static bool read_frame(Frames *frames, int frame, Error *error)
 {
     bool first = !frames->scene.objects;
+    double start = clock_ms();
     if (!scene_film_frame(&frames->opened.film, frame, &frames->scene, error))
         return false;
+    frames->stats.parse_ms += clock_ms() - start;
     scene_override(&frames->scene, frames->options);
     if (!region_check(frames->options, &frames->scene, error))
         return false;
     return !first || scene_open_tell(&frames->scene.notes, frames->options, false, error);
 }
 
+/* Renders the frame into a file or a pipe. */
+static bool render_to(Frames *frames, const Options *options, const char *output, Error *error)
+{
+    Stats stats = stats_begin(&frames->scene, options->backend, options->settings.precision);
+    stats.kernel = options->backend == BACKEND_OPENCL ? options->settings.kernel : KERNEL_PACKET;
+    stats.arithmetic = options->settings.arithmetic;
+    bool done = frames->render(options, &frames->scene, output, &frames->held, &stats, error);
+    stats_add(&frames->stats, &stats);
+    frames->rendered++;
+    return done;
+}
+
 /* Into a file of its own. */
 static bool write_picture(Frames *frames, int frame, Error *error)
 {
-    Stats stats = {.total_ms = 0};
     char *name = frame_name(frames->pattern, frame, error);
     bool done = name != NULL;
-    if (done && frames->options->resume && is_there(frames, name)) {
+    if (done && frames->options->resume && is_there(frames, name))
         frames->skipped++;
-    } else if (done) {
-        done = spare_scene(frames, name, error) && frames->render(frames->options, &frames->scene, name, &stats, error);
-        frames->rendered++;
-    }
+    else if (done)
+        done = spare_scene(frames, name, error) && render_to(frames, frames->options, name, error);
     free(name);
     return done;
 }
@@ -164,24 +176,22 @@ static bool write_film(Frames *frames, Error *error)
     const Options *options = frames->options;
     const Region region = render_region(&options->settings, &frames->scene);
     Options own = *options;
-    Stats stats = {.total_ms = 0};
     own.picture_format = IMAGE_RAW;
     own.quiet = own.quiet || frames->rendered > 0;
     if (!frames->film && spare_scene(frames, options->output, error))
         frames->film =
             film_open(options->output, region.columns, region.rows, frames->opened.film.animation.fps, error);
-    frames->rendered++;
-    return frames->film && frames->render(&own, &frames->scene, film_pipe(frames->film), &stats, error);
+    return frames->film && render_to(frames, &own, film_pipe(frames->film), error);
 }
 
-static void tell(const Frames *frames, double ms)
+static void tell(const Frames *frames)
 {
     const Region region = render_region(&frames->options->settings, &frames->scene);
     if (frames->options->quiet)
         return;
     fprintf(stderr, "%s: %d frame%s of %d x %d pixels in %.2f s",
             frames->pattern ? frames->pattern : frames->options->output, frames->rendered,
-            frames->rendered == 1 ? "" : "s", region.columns, region.rows, ms / 1e3);
+            frames->rendered == 1 ? "" : "s", region.columns, region.rows, frames->stats.total_ms / 1e3);
     if (frames->options->resume)
         fprintf(stderr, "; %d were there", frames->skipped);
     fputc('\n', stderr);
@@ -211,6 +221,7 @@ static bool render_all(Frames *frames, Error *error)
     double start = clock_ms();
     Error reason = {.kind = ERROR_NONE};
     bool done = true;
+    frames->held.same_faces = !frames->opened.film.animation.moves_objects;
     options_note_unused(frames->options);
     if (frames->options->resume)
         sweep(frames);
@@ -219,8 +230,9 @@ static bool render_all(Frames *frames, Error *error)
                (frames->pattern ? write_picture(frames, frame, &reason) : write_film(frames, &reason));
     if (!finish(frames, done, &reason, error))
         return false;
-    tell(frames, clock_ms() - start);
-    return true;
+    frames->stats.total_ms = clock_ms() - start;
+    tell(frames);
+    return stats_print(stdout, frames->options->stats, &frames->stats, error);
 }
 
 bool render_frames_wanted(const Options *options)
@@ -236,6 +248,7 @@ bool render_frames(const Options *options, RenderFrame render, Error *error)
     bool done = check_options(options, error) && options_agree(options, error) &&
                 scene_open_film(&frames.opened, options, error) && choose_output(&frames, error) &&
                 choose_frames(&frames, options, error) && render_all(&frames, error);
+    backend_film_close(&frames.held);
     scene_free(&frames.scene);
     scene_close_film(&frames.opened);
     free(frames.pattern);

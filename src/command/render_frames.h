@@ -4,10 +4,12 @@
 
 #include "command/options.h"
 #include "command/stats.h"
+#include "opencl/backend.h"
 #include "scene/scene.h"
 
-/* Renders a scene into the file `output`. */
-typedef bool (*RenderFrame)(const Options *options, Scene *scene, const char *output, Stats *stats, Error *error);
+/* Renders a scene, a frame of the film, into the file `output`. */
+typedef bool (*RenderFrame)(const Options *options, Scene *scene, const char *output, BackendFilm *film, Stats *stats,
+                            Error *error);
 
 /* Whether several frames are wanted: --frames, or a film as the output. */
 bool render_frames_wanted(const Options *options);

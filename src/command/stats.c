@@ -52,6 +52,31 @@ static Lists lists_of(const Stats *stats)
     return lists;
 }
 
+void stats_add(Stats *sum, const Stats *other)
+{
+    const RenderReport *a = &sum->report, *b = &other->report;
+    Stats both = *other;
+    RenderReport *report = &both.report;
+    both.parse_ms += sum->parse_ms;
+    both.encode_ms += sum->encode_ms;
+    both.total_ms += sum->total_ms;
+    report->build_ms = a->build_ms + b->build_ms;
+    report->upload_ms = a->upload_ms + b->upload_ms;
+    report->device_ms = a->device_ms + b->device_ms;
+    report->compile_ms = a->compile_ms + b->compile_ms;
+    report->trace_ms = a->trace_ms + b->trace_ms;
+    report->readback_ms = a->readback_ms + b->readback_ms;
+    report->rays.primary = a->rays.primary + b->rays.primary;
+    report->rays.shadow = a->rays.shadow + b->rays.shadow;
+    report->rays.reflection = a->rays.reflection + b->rays.reflection;
+    report->box_tests = a->box_tests + b->box_tests;
+    report->face_tests = a->face_tests + b->face_tests;
+    report->refined_pixels = a->refined_pixels + b->refined_pixels;
+    for (int skip = 0; skip < SKIP_KINDS; skip++)
+        report->skipped[skip] = a->skipped[skip] + b->skipped[skip];
+    *sum = both;
+}
+
 Stats stats_begin(const Scene *scene, Backend backend, Precision precision)
 {
     return (Stats){

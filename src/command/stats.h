@@ -24,6 +24,9 @@ typedef struct Stats {
 /* What is known before anything is traced. The reference computes in double whatever the precision. */
 Stats stats_begin(const Scene *scene, Backend backend, Precision precision);
 
+/* Adds the times and counts of another picture; what is no sum is the other's. */
+void stats_add(Stats *sum, const Stats *other);
+
 /* STATS_TEXT: a table for people. STATS_JSON: one object on one line; every number keeps all its digits.
  * Fails only for want of memory; writing errors stay in `out`. */
 bool stats_print(FILE *out, StatsFormat format, const Stats *stats, Error *error);

@@ -14,6 +14,24 @@ bool backend_render(Backend backend, const Scene *scene, const RenderSettings *s
                                         : opencl_render(scene, settings, sink, report, error);
 }
 
+bool backend_film_render(BackendFilm *film, Backend backend, const Scene *scene, const RenderSettings *settings,
+                         BandSink sink, RenderReport *report, Error *error)
+{
+    if (backend == BACKEND_REFERENCE)
+        return reference_render(scene, settings, sink, report, error);
+    if (!film->held)
+        film->held = opencl_hold(scene, settings, error);
+    else if (!opencl_exchange(film->held, scene, film->same_faces, settings, error))
+        return false;
+    return film->held && opencl_picture(film->held, sink, report, error);
+}
+
+void backend_film_close(BackendFilm *film)
+{
+    opencl_release(film->held);
+    film->held = NULL;
+}
+
 bool backend_caster_open(BackendCaster *caster, Backend backend, const Scene *scene, const RenderSettings *settings,
                          RenderReport *report, Error *error)
 {

@@ -10,6 +10,19 @@
 bool backend_render(Backend backend, const Scene *scene, const RenderSettings *settings, BandSink sink,
                     RenderReport *report, Error *error);
 
+/* Pictures of one scene after another, such as the frames of a film, of the same size and sampling. Zeroed, nothing has
+ * been rendered yet. */
+typedef struct BackendFilm {
+    struct OpenclScene *held;
+    bool same_faces; /* only camera and lights differ; for the caller to say */
+} BackendFilm;
+
+/* backend_render for the next one. The scene and what the settings point to must live until the film is closed. */
+bool backend_film_render(BackendFilm *film, Backend backend, const Scene *scene, const RenderSettings *settings,
+                         BandSink sink, RenderReport *report, Error *error);
+
+void backend_film_close(BackendFilm *film);
+
 /* A scene at which rays are cast, batch after batch. */
 typedef struct BackendCaster {
     Backend backend;

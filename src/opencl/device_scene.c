@@ -120,6 +120,17 @@ static void pack_view(DeviceReals *reals, const Scene *scene)
     put(reals, VIEW_FARTHEST, farthest_vertex(scene) * (1 + 4 * (double)FLT_EPSILON));
 }
 
+bool device_scene_pack_moving(DeviceScene *packed, const Scene *scene, Precision precision, Error *error)
+{
+    if (!reals_allocate(&packed->lights, (size_t)scene->light_count, LIGHT_REALS, precision, error) ||
+        !reals_allocate(&packed->view, 2, VIEW_REALS, precision, error))
+        return false;
+    for (int i = 0; i < scene->light_count; i++)
+        pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
+    pack_view(&packed->view, scene);
+    return true;
+}
+
 bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePacking *how, Error *error)
 {
     *packed = (DeviceScene){0};
@@ -130,16 +141,12 @@ bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePack
     if (!reals_allocate(&packed->faces.rows, faces, FACE_REALS, how->precision, error) ||
         !reals_allocate(&packed->faces.planes, faces, PLANE_REALS, how->wide, error) ||
         !reals_allocate(&packed->materials, (size_t)scene->material_count, MATERIAL_REALS, how->precision, error) ||
-        !reals_allocate(&packed->lights, (size_t)scene->light_count, LIGHT_REALS, how->precision, error) ||
-        !reals_allocate(&packed->view, 2, VIEW_REALS, how->precision, error))
+        !device_scene_pack_moving(packed, scene, how->precision, error))
         return false;
 
     device_faces_pack(&packed->faces, scene, how);
-    for (int i = 0; i < scene->light_count; i++)
-        pack_light(&packed->lights, (size_t)i * LIGHT_REALS, &scene->lights[i]);
     for (int i = 0; i < scene->material_count; i++)
         pack_material(&packed->materials, (size_t)i * MATERIAL_REALS, &scene->materials[i]);
-    pack_view(&packed->view, scene);
     return true;
 }
 

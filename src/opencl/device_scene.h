@@ -11,6 +11,10 @@ typedef struct DeviceScene {
 
 /* Packs the scene; device_scene_free frees the copy, also after a failure. */
 bool device_scene_pack(DeviceScene *packed, const Scene *scene, const DevicePacking *how, Error *error);
+
+/* The lights and the view of a scene alone, into a zeroed DeviceScene. */
+bool device_scene_pack_moving(DeviceScene *packed, const Scene *scene, Precision precision, Error *error);
+
 void device_scene_free(DeviceScene *packed);
 
 /* About how much memory a process takes at most that renders so many faces through OpenCL, with a kept kernel. */

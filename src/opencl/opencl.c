@@ -1,6 +1,7 @@
 /* The OpenCL backend: renders a scene band by band, the height of a band by the time that the last one took. */
 #include "opencl/opencl.h"
 
+#include "opencl/opencl_move.h"
 #include "opencl/opencl_pixels.h"
 #include "opencl/opencl_refine.h"
 #include "trace/adaptive.h"
@@ -168,6 +169,24 @@ static RenderSettings settings_for_kernel(const RenderSettings *settings)
     return own;
 }
 
+/* All that follows the pruning. */
+static bool put_on_device(OpenclScene *held, const RenderSettings *settings, Error *error)
+{
+    return opencl_prepare(&held->session, &held->pruned.scene, settings, &held->on_device, &held->report, error) &&
+           make_room(held, settings, error) && make_kernel(held, error) &&
+           opencl_warm_up(&held->session, &held->on_device, held->kernel, parameters_of(held), &held->report, error);
+}
+
+static void take_from_device(OpenclScene *held)
+{
+    if (held->kernel)
+        clReleaseKernel(held->kernel);
+    held->kernel = NULL;
+    opencl_refinement_free(&held->refinement);
+    opencl_pixels_free(&held->pixels);
+    opencl_drop(&held->session);
+}
+
 /* `single`: for one picture only. */
 static OpenclScene *hold(const Scene *scene, const RenderSettings *asked, bool single, Error *error)
 {
@@ -181,10 +200,7 @@ static OpenclScene *hold(const Scene *scene, const RenderSettings *asked, bool s
     }
     held->session = (OpenclSession){
         .single = single, .linear = settings->linear != NULL, .adaptive = scene->adaptive && scene->grid > 1};
-    if (pruned_scene_make(&held->pruned, scene, settings, &held->report, error) &&
-        opencl_prepare(&held->session, &held->pruned.scene, settings, &held->on_device, &held->report, error) &&
-        make_room(held, settings, error) && make_kernel(held, error) &&
-        opencl_warm_up(&held->session, &held->on_device, held->kernel, parameters_of(held), &held->report, error))
+    if (pruned_scene_make(&held->pruned, scene, settings, &held->report, error) && put_on_device(held, settings, error))
         return held;
     opencl_release(held);
     return NULL;
@@ -193,6 +209,26 @@ static OpenclScene *hold(const Scene *scene, const RenderSettings *asked, bool s
 OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Error *error)
 {
     return hold(scene, settings, false, error);
+}
+
+bool opencl_exchange(OpenclScene *held, const Scene *scene, bool same_faces, const RenderSettings *asked, Error *error)
+{
+    RenderSettings settings = settings_for_kernel(asked);
+    PrunedScene before = held->pruned;
+    RenderReport *report = &held->report;
+    held->session.notice = settings.notice;
+    held->pixels.linear = settings.linear;
+    report->build_ms = report->upload_ms = report->device_ms = report->compile_ms = 0;
+    memset(report->skipped, 0, sizeof report->skipped);
+    bool ok = pruned_scene_make(&held->pruned, scene, &settings, report, error);
+    if (ok && same_faces && opencl_move_is_possible(&held->on_device, &before, &held->pruned, &settings, error)) {
+        ok = opencl_move(&held->session, &held->on_device, &held->pruned.scene, report, error);
+    } else if (ok) {
+        take_from_device(held);
+        ok = put_on_device(held, &settings, error);
+    }
+    pruned_scene_free(&before);
+    return ok;
 }
 
 const RenderReport *opencl_held_report(const OpenclScene *held)
@@ -204,10 +240,7 @@ void opencl_release(OpenclScene *held)
 {
     if (!held)
         return;
-    if (held->kernel)
-        clReleaseKernel(held->kernel);
-    opencl_refinement_free(&held->refinement);
-    opencl_pixels_free(&held->pixels);
+    take_from_device(held);
     opencl_close(&held->session);
     pruned_scene_free(&held->pruned);
     free(held);

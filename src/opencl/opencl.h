@@ -17,6 +17,12 @@ OpenclScene *opencl_hold(const Scene *scene, const RenderSettings *settings, Err
  * name, those of the sink. */
 bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Error *error);
 
+/* Puts another scene in the place of the held one, with the settings of opencl_hold, a picture of the same size and the
+ * same sampling. Device and kernel stay; with `same_faces`, where nothing but camera and lights may differ, so do the
+ * faces and their tree. After that the report tells what was done for this scene. After a failure release it. */
+bool opencl_exchange(OpenclScene *held, const Scene *scene, bool same_faces, const RenderSettings *settings,
+                     Error *error);
+
 /* What was done once for all. */
 const RenderReport *opencl_held_report(const OpenclScene *held);
 

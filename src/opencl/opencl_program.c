@@ -160,17 +160,34 @@ static const char *tree_of(AccelKind accel)
 bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error)
 {
     double start = clock_ms();
+    write_options(session, variant, report);
+    if (session->program && strcmp(session->built, report->build_options) == 0)
+        return true;
+    if (session->program)
+        clReleaseProgram(session->program);
+    session->program = NULL;
     char *sources =
         opencl_sources(root_of(session), tree_of(variant.accel), render_arithmetics[session->arithmetic], error);
     bool ok = sources != NULL;
     if (ok) {
-        write_options(session, variant, report);
         session->key = opencl_kept_key(&session->info, root_of(session), sources, report->build_options);
         ok = build_program(session, sources, report->build_options, error);
     }
+    if (ok)
+        memcpy(session->built, report->build_options, sizeof session->built);
     free(sources);
     report->compile_ms = clock_ms() - start;
     return ok;
+}
+
+/* The host's memory is freed when no buffer is left that may stand on it. */
+void opencl_drop(OpenclSession *session)
+{
+    for (int i = 0; i < session->buffer_count; i++)
+        clReleaseMemObject(session->buffers[i]);
+    for (int i = 0; i < session->taken_count; i++)
+        free(session->taken[i]);
+    session->buffer_count = session->taken_count = 0;
 }
 
 void opencl_close(OpenclSession *session)

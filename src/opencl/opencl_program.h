@@ -32,6 +32,7 @@ typedef struct OpenclSession {
     float shift;
     Notice notice;
     KernelCacheKey key; /* of the program */
+    char built[320];    /* the build options of the program */
     bool from_source;   /* it was compiled in this run, not kept from an earlier one */
     cl_mem buffers[OPENCL_MAX_BUFFERS];
     int buffer_count;
@@ -59,6 +60,9 @@ bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report,
 void opencl_keep(OpenclSession *session);
 
 void opencl_close(OpenclSession *session);
+
+/* Frees the buffers, so that others can be made; device and program stay. */
+void opencl_drop(OpenclSession *session);
 
 /* A buffer with a copy of `data`, or uninitialised where data is NULL; NULL with the error filled on failure. */
 cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, const void *data, Error *error);

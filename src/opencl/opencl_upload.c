@@ -74,14 +74,14 @@ typedef struct Preparation {
     DeviceTree tree;
 } Preparation;
 
-static bool find_closed_boxes(Preparation *made, Error *error)
+unsigned char *opencl_closed_boxes(const Scene *scene, const RenderSettings *settings, Error *error)
 {
-    made->closed = calloc((size_t)made->scene->face_count + 1, 1);
-    if (!made->closed)
-        return error_memory(error, "the boxes of the scene");
-    if (skip_wanted(made->settings, SKIP_BACK_FACE))
-        skip_closed_boxes(made->scene, made->closed);
-    return true;
+    unsigned char *closed = calloc((size_t)scene->face_count + 1, 1);
+    if (!closed)
+        error_memory(error, "the boxes of the scene");
+    else if (skip_wanted(settings, SKIP_BACK_FACE))
+        skip_closed_boxes(scene, closed);
+    return closed;
 }
 
 static bool build_tree(const OpenclSession *session, Preparation *made, RenderReport *report, Error *error)
@@ -148,14 +148,17 @@ bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSett
 {
     Preparation made = {.scene = scene, .settings = settings, .accel = {.kind = ACCEL_NONE}};
     bool ok =
-        find_closed_boxes(&made, error) && opencl_open(session, settings, report, error) &&
+        (made.closed = opencl_closed_boxes(scene, settings, error)) &&
+        (session->context || opencl_open(session, settings, report, error)) &&
         build_tree(session, &made, report, error) &&
         opencl_build(session, (Variant){made.accel.kind, made.tree.node_width, made.tree.stack_size}, report, error) &&
         upload(session, &made, on_device, report, error);
     report->accel = accel_name(&made.accel);
     accel_free(&made.accel);
     device_tree_free(&made.tree);
-    free(made.closed);
+    if (made.closed)
+        session->taken[session->taken_count++] = made.closed;
+    on_device->closed = made.closed;
     return ok;
 }
 

@@ -9,12 +9,17 @@
 
 typedef struct SceneOnDevice {
     cl_mem parameters, faces, face_rows, planes, materials, lights, view, counters, tree_floats, tree_ints;
+    const unsigned char *closed; /* the session's: the faces of closed boxes, as they were packed */
 } SceneOnDevice;
 
 /* From settings and a scene to a session with buffers and a program for its kernel; the session is to be closed also
- * after a failure. Times, and a tree that was left out, go to the report. */
+ * after a failure. One whose buffers were dropped may be given again: its device stays, and its program if it fits.
+ * Times, and a tree that was left out, go to the report. */
 bool opencl_prepare(OpenclSession *session, const Scene *scene, const RenderSettings *settings,
                     SceneOnDevice *on_device, RenderReport *report, Error *error);
+
+/* skip_closed_boxes, where the settings want it; the caller frees it. NULL without memory. */
+unsigned char *opencl_closed_boxes(const Scene *scene, const RenderSettings *settings, Error *error);
 
 /* What the kernels are told of the scene; the caller adds the rows of the band or the number of rays. */
 Parameters opencl_parameters(const Scene *scene);
