@@ -99,6 +99,14 @@ class Examples(unittest.TestCase):
         self.assertEqual(set(numbers) - set(re.findall(r"\d+\.\d+", read("docs/walkthrough.md"))), set())
 
 
+class Version(unittest.TestCase):
+    def test_the_changelog_begins_with_the_version_and_its_date(self):
+        version = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True).stdout.split()[1]
+        page = subprocess.run([PROGRAM, "help", "--as", "man"], capture_output=True, text=True, check=True).stdout
+        date = re.match(r'\.TH "rectray" 1 "(\d{4}-\d\d-\d\d)" "rectray ' + re.escape(version), page)[1]
+        self.assertEqual(re.search(r"(?m)^## (.*)$", read("docs/CHANGELOG.md"))[1], f"{version} ({date})")
+
+
 class PlainKernel(unittest.TestCase):
     """docs/kernel.md quotes the plain kernel, and changes it."""
 

@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-#define RECTRAY_VERSION "0.1"
+#define RECTRAY_VERSION "1.0"
 #define RECTRAY_DATE "2026-11-30" /* of the version; docs/CHANGELOG.md has both, too */
 
 /* What `rectray help COMMAND`, `rectray help` and `rectray --version` print. */
