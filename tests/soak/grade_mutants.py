@@ -26,7 +26,7 @@ PIXELS = [("scenes/original.json", 40, 36), ("scenes/original.json", 20, 50), ("
           ("tests/scenes/many_lights.json", 27, 20), ("tests/scenes/shadow_ambient.json", 20, 31),
           ("tests/scenes/viewer_ray.json", 26, 26), ("tests/scenes/background.json", 20, 31),
           ("tests/scenes/no_bounces.json", 27, 20), ("tests/scenes/same_place.json", 16, 6),
-          ("tests/scenes/grid.json", 20, 20), ("tests/scenes/bright.json", 27, 20), ("scenes/cornell.json", 200, 200),
+          ("tests/scenes/grid.json", 2, 43), ("tests/scenes/bright.json", 27, 20), ("scenes/cornell.json", 200, 200),
           ("tests/scenes/facing_mirrors.json", 30, 14, "--bounces", "1"),
           ("scenes/gallery.json", 965, 320, "--grid", "1"), ("scenes/gallery.json", 900, 390, "--grid", "1")]
 
@@ -40,8 +40,8 @@ KNOWN = {
     "light-side-dropped": ["light-behind-counts"], "no-shadows": ["no-shadows"],
     "shadow-keeps-ambient": ["shadow-rule"], "half-a-reflection": ["reflection-once"],
     "weight-forgets": ["weight-not-accumulated"], "one-bounce-more": ["bounce-too-many", "bounces-unlimited"],
-    "no-clamp-at-zero": ["highlight-not-clamped"], "alpha-undivided": ["alpha-undivided"],
-    "halfway-difference": ["h-difference"], "byte-truncated": ["bytes-cut-off"], "samples-upside-down": ["upside-down"],
+    "no-clamp-at-zero": ["highlight-not-clamped"], "halfway-difference": ["h-difference"],
+    "byte-truncated": ["bytes-cut-off"], "samples-upside-down": ["upside-down"],
     "textbook-upside-down": ["upside-down"], "textbook-d": ["d-sign"], "textbook-behind": ["behind-counts"],
     "textbook-edge": ["edges-skip-one"], "textbook-one-sided": ["one-sided-left-out"],
     "textbook-last-of-equal": ["last-of-equal"], "textbook-normal-not-turned": ["normal-not-turned"],
@@ -84,7 +84,7 @@ def textbook_document(text, column, row):
 
 
 def tell(program, textbook, scene, column, row, *options):
-    """What the program tells of the pixel, as a document to be graded; None where it fails."""
+    """What the program tells of the pixel, as a document to be graded. None where it ends before: a mutant may."""
     words = [*options] + (["--arithmetic", "textbook", "-p", "double", "--shift", "1e-9"] if textbook else [])
     out = run(program, "trace", scene, "--pixel", f"{column},{row}", "-f", "json", *words)
     if out.returncode:
