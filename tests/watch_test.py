@@ -92,6 +92,17 @@ class Watch(WatchTest):
         self.put("square.obj", SQUARE + "f 1 2\n")
         self.assertRegex(self.next(), "square.obj:6: ")
 
+    def test_libraries_of_models_are_watched(self):
+        self.put("red.mtl", "newmtl red\nKa 1 0 0\n")
+        self.put("square.obj", "mtllib red.mtl\n" + SQUARE.replace("f 1", "usemtl red\nf 1"))
+        self.put("scene.json", json.dumps({**SCENE, "objects": [{"obj": "square.obj"}]}))
+        self.watch()
+        before = self.bytes_of("a.png")
+        self.put("blue.mtl", "newmtl red\nKa 0 0 1\n")
+        os.rename(self.path("blue.mtl"), self.path("red.mtl"))
+        self.assertIn("8 x 6 pixels", self.next())
+        self.assertNotEqual(self.bytes_of("a.png"), before)
+
     def test_what_cannot_be_watched(self):
         self.assertIn("needs a file", self.run_program("render", "-", "--watch", "-o", "a.png", status=2)[1])
         _, err = self.run_program("render", "scene.json", "--watch", "-o", "a.jpg", status=2)
