@@ -124,9 +124,10 @@ static void what_is_no_text_should_be_refused_with_its_line(void)
     assert_fails("\xFF\xFEv\0", 4, ":1: is UTF-16; save it as UTF-8");
     static char endless[TEXT_BLOCK_MAX + 1];
     memset(endless, 'x', sizeof endless);
-    assert_fails(endless, sizeof endless,
-                 ":1: the line is longer than 1048576 bytes, with the lines that continue it; make several lines of it, "
-                 "or leave it out if it is a comment");
+    assert_fails(
+        endless, sizeof endless,
+        ":1: the line is longer than 1048576 bytes, with the lines that continue it; make several lines of it, "
+        "or leave it out if it is a comment");
 }
 
 int main(void)
