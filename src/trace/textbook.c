@@ -118,7 +118,8 @@ Vec3 textbook_pixel(const Textbook *textbook, int column, int row, unsigned char
 TextbookTest textbook_test(const Textbook *textbook, int face, Ray ray)
 {
     Hit hit = {.face = face};
-    bool found = hits(textbook->scene, face, (RealRay){rounded(ray.origin), rounded(ray.direction)}, &hit);
+    RealRay rounded_ray = {rounded(ray.origin), rounded(ray.direction)};
+    bool found = hits(textbook->scene, face, &rounded_ray, &hit);
     if (found)
         place_hit(textbook, &hit);
     return (TextbookTest){found, test_of(&hit, found), doubles(hit.p), doubles(hit.shifted)};

@@ -47,7 +47,7 @@ static Hit slipped(SlipKind kind, const Textbook *textbook, RealRay ray)
     int count = textbook->scene->face_count;
     for (int i = kind == SLIP_NO_FIRST_FACE; i < count - (kind == SLIP_NO_LAST_FACE); i++) {
         Hit hit = {.t = NOTHING};
-        bool found = hits(textbook->scene, i, ray, &hit) || (kind == SLIP_NO_ASKING && hit.t > 0);
+        bool found = hits(textbook->scene, i, &ray, &hit) || (kind == SLIP_NO_ASKING && hit.t > 0);
         bool nearer = hit.t < nearest.t;
         if (kind == SLIP_LAST)
             nearer = true;
@@ -85,7 +85,7 @@ static void describe_hits(const Scene *scene, RealRay ray, char *text, size_t si
     text[0] = 0;
     for (int i = 0; i < scene->face_count; i++) {
         Hit hit;
-        if (!hits(scene, i, ray, &hit))
+        if (!hits(scene, i, &ray, &hit))
             continue;
         size_t used = strlen(text);
         snprintf(text + used, size - used, "%s%s of face %d (%s)", used ? ", " : "t = ", number_text(hit.t), i,

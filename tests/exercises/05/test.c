@@ -81,7 +81,7 @@ static int between_slipped(SlipKind kind, const Textbook *textbook, const Hit *h
     int last = -1;
     for (int i = 0; i < textbook->scene->face_count; i++) {
         Hit between;
-        bool found = hits(textbook->scene, i, (RealRay){from, r}, &between);
+        bool found = hits(textbook->scene, i, &(RealRay){from, r}, &between);
         bool counts = kind == SLIP_NO_END || (kind == SLIP_BEYOND ? between.t > 1 : between.t < 1);
         if (found && counts && kind == SLIP_YES)
             return 1;
@@ -151,8 +151,8 @@ static void explain(Outcome *outcome, const Textbook *textbook, RealRay ray, int
     const Scene *scene = textbook->scene;
     Hit ours, theirs;
     if (expected >= 0)
-        hits(scene, expected, ray, &ours);
-    if (returned >= 0 && returned < scene->face_count && hits(scene, returned, ray, &theirs) && theirs.t >= 1)
+        hits(scene, expected, &ray, &ours);
+    if (returned >= 0 && returned < scene->face_count && hits(scene, returned, &ray, &theirs) && theirs.t >= 1)
         add_formula(outcome, "face %d is hit at t = %s: beyond the light, which is at t = 1", returned,
                     number_text(theirs.t));
     else if (expected >= 0)
