@@ -8,10 +8,11 @@ TITLES = {
     "is_blocked": "Function 4: what stands before a light",
     "illuminate": "Function 5: the light of a lamp",
     "trace_path": "Function 6: paths",
-    "store_pixel": "Function 7: bytes",
-    "original": "A scene with black shadows, and a camera that V points to",
-    "mirrors": "Two mirrors that face each other",
+    "gallery": "A scene with mirrors and shadows that keep ambient light",
+    "original": "A scene with black shadows",
+    "viewer_camera": "A scene where V points to the camera, also in a mirror",
     "no_bounces": "A mirror in a scene that allows no reflected ray",
+    "store_pixel": "Function 7: bytes",
     "picture": "The picture of scenes/cornell.json",
 }
 
@@ -20,7 +21,7 @@ CASES = {
     "primary_ray": [(0, 0, 0, 0), (47, 39, 1, 1), (20, 10, 1, 0), (30, 22, 0, 1)],
     "nearest_hit": [(24, 20), (4, 20), (15, 31), (30, 34), (24, 20, 1), (24, 4)],
     "place_hit": [(24, 20), (15, 31), (4, 20, 1), (30, 34, 1)],
-    "is_blocked": [(24, 36, 0), (14, 34, 0), (14, 34, 3), (42, 35, 2), (24, 36, 4), (4, 20, 1)],
+    "is_blocked": [(24, 36, 0), (14, 34, 0), (10, 32, 3), (12, 36, 4), (12, 36, 1), (4, 20, 1)],
     "illuminate": [(15, 31, 1, 3, 1), (24, 36, 0, 2, 1), (15, 31, 2, 1, 0), (15, 31, 1, -1, 1), (15, 31, -1, 2, 1)],
     "trace_path": [(24, 36), (4, 20), (15, 31), (14, 26), (17, 29), (30, 34), (24, 4), (14, 34)],
 }
