@@ -42,11 +42,10 @@ static bool lock(int descriptor, bool *has_locks)
 }
 
 /* A file that another process was about to sweep away is not taken. */
-static bool is_ours(int descriptor)
+static bool is_ours(int descriptor, const char *name)
 {
-    struct stat status;
     bool has_locks;
-    return lock(descriptor, &has_locks) && fstat(descriptor, &status) == 0 && status.st_nlink > 0;
+    return lock(descriptor, &has_locks) && access(name, F_OK) == 0;
 }
 
 /* Creates the temporary file beside the target; the descriptor, or -1 with the error filled. */
@@ -59,7 +58,7 @@ static int create_temporary(Output *output, Error *error)
             return -1;
         }
         int descriptor = interrupt_create_guarded(name);
-        if (descriptor >= 0 && is_ours(descriptor)) {
+        if (descriptor >= 0 && is_ours(descriptor, name)) {
             output->temporary = name;
             return descriptor;
         }
