@@ -11,18 +11,20 @@ PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 FLOORS = {
     "src": ["base", "json", "scene", "reader", "trace", "opencl", "picture", "walkthrough", "library", "grade", "page",
             "bench", "command", ""],
-    "kernels": ["shared", "plain", "packet", "tile", "adaptive", ""],
+    "kernels": ["shared", "plain", "gpu", "packet", "tile", "adaptive", ""],
 }
 
 # Folders that do not know each other, although one stands before the other.
 APART = {("json", "scene"), ("opencl", "picture"), ("opencl", "walkthrough"), ("picture", "walkthrough"),
          ("tile", "adaptive"),
-         ("plain", "packet"), ("plain", "tile"), ("plain", "adaptive")}
+         ("plain", "packet"), ("plain", "tile"), ("plain", "adaptive"),
+         ("gpu", "packet"), ("gpu", "tile"), ("gpu", "adaptive")}
 
 # What an included name stands for that the host chooses: opencl_sources.h.
 CHOICES = {"TREE": ["packet/bvh.cl", "packet/kdtree.cl", "packet/all_faces.cl"],
            "BEAM_TREE": ["adaptive/beam_bvh.cl", "adaptive/beam_kdtree.cl", "adaptive/beam_all_faces.cl"],
            "PLAIN_TREE": ["plain/bvh.cl", "plain/kdtree.cl", "plain/all_faces.cl"],
+           "GPU_TREE": ["gpu/bvh.cl", "gpu/kdtree.cl", "gpu/all_faces.cl"],
            "ARITHMETIC": ["plain/exact_arithmetic.cl", "plain/textbook_arithmetic.cl"]}
 
 
@@ -36,7 +38,8 @@ def sources(top):
             included += CHOICES[name]
         folder = str(path.parent.relative_to(ROOT / top))
         name = str(path.relative_to(ROOT / top))
-        found[name] = [f"{folder}/{other}" if "/" not in other else other for other in included]
+        beside = "" if folder == "." else f"{folder}/"
+        found[name] = [beside + other if "/" not in other else other for other in included]
     return found
 
 

@@ -217,7 +217,7 @@ class Render(CommandTest):
                              ["use --sampling uniform:N", *reference, "--sampling", "adaptive"],
                              ["expected a number from 0 to 1e6", *plain, *textbook, "--shift", "-1"],
                              ["expected a number from 0 to 1e6", *plain, *textbook, "--shift", "1e7"],
-                             ["expected packet or plain", "--kernel", "fast"],
+                             ["expected auto, packet, plain or gpu", "--kernel", "fast"],
                              ["expected exact or textbook", "--arithmetic", "rounded"]):
             self.assertIn(text, self.run_program("render", "scene.json", *words, status=2)[1])
         self.assertIn("cast takes no --kernel", self.run_program("cast", "scene.json", *plain, status=2)[1])

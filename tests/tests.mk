@@ -58,9 +58,9 @@ $(BUILD)/tests/test_polygon_cut: $(patsubst %,$(BUILD)/tests/support/%.o,polygon
 $(BUILD)/tests/test_scene_polygon: $(patsubst %,$(BUILD)/tests/support/%.o,coverage polygon random_polygon)
 $(patsubst %,$(BUILD)/tests/test_%,oracle truth convergence polygon_cut scene_polygon): LIBS += -lgmp
 
-$(BUILD)/tests/test_backends $(BUILD)/tests/test_plain: $(BUILD)/tests/support/near_edge.o
-$(BUILD)/tests/test_plain $(BUILD)/tests/test_textbook: $(BUILD)/tests/support/plain_picture.o
-$(patsubst %,$(BUILD)/tests/test_%,backends plain textbook): LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
+$(patsubst %,$(BUILD)/tests/test_%,backends plain gpu): $(BUILD)/tests/support/near_edge.o
+$(patsubst %,$(BUILD)/tests/test_%,plain gpu textbook): $(BUILD)/tests/support/plain_picture.o
+$(patsubst %,$(BUILD)/tests/test_%,backends plain gpu textbook): LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
 
 $(BUILD)/tests/test_bvh: $(BUILD)/tests/support/plain_bvh.o
 

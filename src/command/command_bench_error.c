@@ -81,7 +81,7 @@ static bool check_options(const Options *options, Error *error)
     } refused[] = {
         {options->json, "json", "with --folder it writes CSV"},
         {options->precision_given, "precision", "it measures both"},
-        {options->settings.kernel != KERNEL_PACKET, "kernel", "it measures both"},
+        {options->settings.kernel != KERNEL_AUTO, "kernel", "it measures both"},
         {options->settings.arithmetic != ARITHMETIC_EXACT, "arithmetic", "it measures both"},
     };
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)

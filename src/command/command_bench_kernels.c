@@ -59,7 +59,7 @@ static bool check_options(const Options *options, Error *error)
     } refused[] = {
         {options->ladder, "ladder", "name the scenes"},
         {options->json, "json", "with --folder it writes columns with tabs between them"},
-        {settings->kernel != KERNEL_PACKET, "kernel", "it measures both"},
+        {settings->kernel != KERNEL_AUTO, "kernel", "it measures both"},
         {settings->arithmetic != ARITHMETIC_EXACT, "arithmetic", "packets have the exact one only"},
         {settings->accel != ACCEL_AUTO, "accel", "it measures all"},
         {settings->lanes != 0, "lanes", "it measures all"},

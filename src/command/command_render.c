@@ -313,7 +313,6 @@ static bool render_once(const Options *given, Error *error)
     if (!scene_open(&scene, options, error))
         return false;
     Stats stats = stats_begin(&scene, options->backend, options->settings.precision);
-    stats.kernel = options->backend == BACKEND_OPENCL ? options->settings.kernel : KERNEL_PACKET;
     stats.arithmetic = options->settings.arithmetic;
     stats.precision = precision_of(options);
     stats.parse_ms = clock_ms() - start;

@@ -22,6 +22,7 @@ static const CheckedKernel kernels[] = {
     {"packet, float", PRECISION_FLOAT, KERNEL_PACKET, false, false},
     {"packet, double", PRECISION_DOUBLE, KERNEL_PACKET, false, false},
     {"plain, float", PRECISION_FLOAT, KERNEL_PLAIN, false, false},
+    {"gpu, float", PRECISION_FLOAT, KERNEL_GPU, false, false},
     {"adaptive, float", PRECISION_FLOAT, KERNEL_PACKET, true, false},
     {"cast, float", PRECISION_FLOAT, KERNEL_PACKET, false, true},
 };

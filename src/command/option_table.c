@@ -129,7 +129,7 @@ const Option option_table[] = {
      NUMBER(settings.device, 0, 9999), .expects = "a number that `rectray devices` lists"},
     {"precision", 'p', "NAME", "render trace cast bench", "of kernel and textbook: float (default) or double",
      OWN(option_set_precision), .words = render_precisions},
-    {"kernel", 'k', "NAME", "render bench", "packet (default), or plain: one ray per work-item, to be read",
+    {"kernel", 'k', "NAME", "render bench", "auto (default), packet, gpu: one ray per item, or plain: to be read",
      WORD(settings.kernel, render_kernels)},
     {"arithmetic", 0, "NAME", "render trace bench", "exact (default), or textbook: the taught formulas as they stand",
      WORD(settings.arithmetic, render_arithmetics)},

@@ -184,7 +184,7 @@ void options_note_unused(const Options *options)
     } notes[] = {
         {options->settings.device >= 0, "--device does nothing"},
         {options->settings.lanes > 0, "--lanes does nothing"},
-        {options->settings.kernel != KERNEL_PACKET, "--kernel does nothing"},
+        {options->settings.kernel != KERNEL_AUTO, "--kernel does nothing"},
         {options->settings.no_skip != 0, "--no-skip does nothing"},
         {is_exact && options->precision_given && options->settings.precision == PRECISION_FLOAT,
          "--precision float does nothing"},

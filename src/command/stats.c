@@ -99,6 +99,12 @@ static uint64_t peak_memory_bytes(void)
 #endif
 }
 
+/* The kernel is told where it is not the one for processors. */
+static bool tells_kernel(const RenderReport *report)
+{
+    return report->kernel == KERNEL_PLAIN || report->kernel == KERNEL_GPU;
+}
+
 static void print_text(FILE *out, const Stats *stats)
 {
     Lists lists = lists_of(stats);
@@ -115,8 +121,10 @@ static void print_text(FILE *out, const Stats *stats)
             render_precisions[stats->precision], report->lanes, render_accels[report->accel]);
     fprintf(out, "%-22s%s\n", "device", report->device);
     fprintf(out, "%-22s%s\n", "build options", report->build_options);
-    if (stats->kernel == KERNEL_PLAIN)
-        fprintf(out, "%-22s%s, %s arithmetic\n", "kernel", render_kernels[stats->kernel],
+    if (report->kernel == KERNEL_GPU)
+        fprintf(out, "%-22s%14" PRIu64 "\n", "pixels done exactly", report->exact_pixels);
+    if (tells_kernel(report))
+        fprintf(out, "%-22s%s, %s arithmetic\n", "kernel", render_kernels[report->kernel],
                 render_arithmetics[stats->arithmetic]);
 }
 
@@ -155,9 +163,10 @@ static bool fill_json(cJSON *object, const Stats *stats)
            cJSON_AddStringToObject(object, "build_options", report->build_options) &&
            add_count(object, "device_memory_bytes", report->device_bytes) &&
            add_count(object, "peak_memory_bytes", peak_memory_bytes()) &&
-           (stats->kernel != KERNEL_PLAIN ||
-            (cJSON_AddStringToObject(object, "kernel", render_kernels[stats->kernel]) &&
-             cJSON_AddStringToObject(object, "arithmetic", render_arithmetics[stats->arithmetic])));
+           (!tells_kernel(report) ||
+            (cJSON_AddStringToObject(object, "kernel", render_kernels[report->kernel]) &&
+             cJSON_AddStringToObject(object, "arithmetic", render_arithmetics[stats->arithmetic]))) &&
+           (report->kernel != KERNEL_GPU || add_count(object, "exact_pixels", report->exact_pixels));
 }
 
 static bool print_json(FILE *out, const Stats *stats, Error *error)

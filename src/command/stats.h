@@ -17,7 +17,6 @@ typedef struct Stats {
     int faces, lights;
     Backend backend;
     Precision precision;
-    KernelKind kernel; /* told only where it is the plain one, with its arithmetic */
     Arithmetic arithmetic;
 } Stats;
 

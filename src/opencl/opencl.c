@@ -1,8 +1,8 @@
 /* The OpenCL backend: renders a scene band by band, the height of a band by the time that the last one took. */
 #include "opencl/opencl.h"
 
+#include "opencl/opencl_gpu.h"
 #include "opencl/opencl_move.h"
-#include "opencl/opencl_pixels.h"
 #include "opencl/opencl_refine.h"
 #include "trace/adaptive.h"
 #include "trace/pruned_scene.h"
@@ -35,6 +35,7 @@ struct OpenclScene {
     Pixels pixels; /* of a band */
     Refinement refinement;
     cl_kernel kernel;
+    GpuPath gpu;         /* of the kernel for GPUs, in place of the six before it */
     RenderReport report; /* of what is done once */
 };
 
@@ -73,6 +74,8 @@ static bool render_band(OpenclScene *held, Parameters *band, RenderReport *repor
 bool opencl_picture(OpenclScene *held, BandSink sink, RenderReport *report, Error *error)
 {
     *report = held->report;
+    if (held->session.kernel == KERNEL_GPU)
+        return gpu_path_picture(&held->gpu, parameters_of(held), sink, report, error);
     Parameters band = parameters_of(held);
     int most = held->most_rows, rows = FIRST_BAND_ROWS < most ? FIRST_BAND_ROWS : most;
     int least = held->session.block_rows > LEAST_BAND_ROWS ? held->session.block_rows : LEAST_BAND_ROWS;
@@ -141,22 +144,26 @@ static bool make_kernel(OpenclScene *held, Error *error)
                           held->refinement.list};
     bool adaptive = held->session.adaptive;
     int count = (int)(sizeof arguments / sizeof arguments[0]) - (adaptive ? 0 : 2);
-    held->kernel = opencl_kernel(&held->session, adaptive ? "render_adaptive" : "render", arguments, count, error);
+    held->kernel = opencl_kernel(&held->session.programs[PROGRAM_MAIN], adaptive ? "render_adaptive" : "render",
+                                 arguments, count, error);
     return held->kernel != NULL;
 }
 
 /* False, with the way out, where the kernel does not do what the settings or the scene ask for. */
 static bool check_settings(const Scene *scene, const RenderSettings *settings, Error *error)
 {
-    if (settings->kernel == KERNEL_PACKET)
-        return settings->arithmetic == ARITHMETIC_EXACT ||
-               error_set(error, ERROR_USAGE, "the packet kernel has no textbook arithmetic; add --kernel plain");
-    if (settings->lanes > 1)
+    bool plain = settings->kernel == KERNEL_PLAIN, gpu = settings->kernel == KERNEL_GPU;
+    const char *name = plain ? "plain" : gpu ? "gpu" : "packet";
+    if (!plain && settings->arithmetic != ARITHMETIC_EXACT)
+        return error_set(error, ERROR_USAGE, "the %s kernel has no textbook arithmetic; add --kernel plain", name);
+    if ((plain || gpu) && settings->lanes > 1)
         return error_set(error, ERROR_USAGE,
-                         "the plain kernel traces one ray per work-item; leave out --lanes, or use --kernel packet");
-    if (scene->adaptive && scene->grid > 1)
+                         "the %s kernel traces one ray per work-item; leave out --lanes, or use --kernel packet", name);
+    if ((plain || gpu) && scene->adaptive && scene->grid > 1)
         return error_set(error, ERROR_USAGE,
-                         "the plain kernel does not sample adaptively; use --sampling uniform:N or --kernel packet");
+                         "the %s kernel does not sample adaptively; use --sampling uniform:N or --kernel packet", name);
+    if (gpu && settings->precision == PRECISION_DOUBLE)
+        return error_set(error, ERROR_USAGE, "the gpu kernel is float's; leave out --precision, or use --kernel plain");
     return true;
 }
 
@@ -169,12 +176,24 @@ static RenderSettings settings_for_kernel(const RenderSettings *settings)
     return own;
 }
 
+/* What a picture takes besides the scene. */
+static bool make_rest(OpenclScene *held, const RenderSettings *settings, Error *error)
+{
+    RenderReport *report = &held->report;
+    if (held->session.kernel == KERNEL_GPU) {
+        held->blocks = render_region(settings, &held->pruned.scene);
+        return gpu_path_make(&held->gpu, &held->session, &held->on_device, parameters_of(held), settings->linear,
+                             &held->blocks, report, error);
+    }
+    return make_room(held, settings, error) && make_kernel(held, error) &&
+           opencl_warm_up(&held->session, &held->on_device, held->kernel, parameters_of(held), report, error);
+}
+
 /* All that follows the pruning. */
 static bool put_on_device(OpenclScene *held, const RenderSettings *settings, Error *error)
 {
     return opencl_prepare(&held->session, &held->pruned.scene, settings, &held->on_device, &held->report, error) &&
-           make_room(held, settings, error) && make_kernel(held, error) &&
-           opencl_warm_up(&held->session, &held->on_device, held->kernel, parameters_of(held), &held->report, error);
+           make_rest(held, settings, error);
 }
 
 static void take_from_device(OpenclScene *held)
@@ -184,6 +203,7 @@ static void take_from_device(OpenclScene *held)
     held->kernel = NULL;
     opencl_refinement_free(&held->refinement);
     opencl_pixels_free(&held->pixels);
+    gpu_path_free(&held->gpu);
     opencl_drop(&held->session);
 }
 
@@ -218,6 +238,7 @@ bool opencl_exchange(OpenclScene *held, const Scene *scene, bool same_faces, con
     RenderReport *report = &held->report;
     held->session.notice = settings.notice;
     held->pixels.linear = settings.linear;
+    gpu_path_fill(&held->gpu, settings.linear);
     report->build_ms = report->upload_ms = report->device_ms = report->compile_ms = 0;
     memset(report->skipped, 0, sizeof report->skipped);
     bool ok = pruned_scene_make(&held->pruned, scene, &settings, report, error);

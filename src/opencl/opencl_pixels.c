@@ -37,12 +37,20 @@ Region opencl_pixels_part(const Parameters *band, const Region *region)
     return (Region){0, top - region->row, region->columns, end - top};
 }
 
-static void take_linear(const Pixels *pixels, Precision precision, const Region *part)
+size_t opencl_pixels_bytes(const OpenclSession *session, const Parameters *band)
 {
+    return (size_t)band->band_rows * (size_t)band->band_columns * 3 * value_bytes(session);
+}
+
+void opencl_pixels_take(const Pixels *pixels, const OpenclSession *session, const Region *part)
+{
+    if (!pixels->linear)
+        return;
     double *out = pixels->linear + (size_t)part->row * (size_t)part->columns * 3;
     size_t count = (size_t)part->rows * (size_t)part->columns * 3;
     for (size_t i = 0; i < count; i++) {
-        out[i] = precision == PRECISION_DOUBLE ? ((double *)pixels->read)[i] : (double)((float *)pixels->read)[i];
+        out[i] =
+            session->precision == PRECISION_DOUBLE ? ((double *)pixels->read)[i] : (double)((float *)pixels->read)[i];
         pixels->rgb[i] = colour_to_byte(out[i]);
     }
 }
@@ -61,7 +69,6 @@ bool opencl_pixels_read(const Pixels *pixels, OpenclSession *session, const Para
     if (whole ? !opencl_read(session, pixels->device, r.rows * r.bytes, pixels->read, report, error)
               : !opencl_read_rectangle(session, pixels->device, r, pixels->read, report, error))
         return false;
-    if (pixels->linear)
-        take_linear(pixels, session->precision, &part);
+    opencl_pixels_take(pixels, session, &part);
     return true;
 }

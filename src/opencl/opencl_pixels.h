@@ -18,6 +18,12 @@ void opencl_pixels_free(Pixels *pixels);
 /* The rows of the band that are in the region; `row` and `column` count from the region's corner. */
 Region opencl_pixels_part(const Parameters *band, const Region *region);
 
+/* Bytes of a band on the device. */
+size_t opencl_pixels_bytes(const OpenclSession *session, const Parameters *band);
+
+/* Makes bytes, and keeps the linear colours, of a part of the region that was read. */
+void opencl_pixels_take(const Pixels *pixels, const OpenclSession *session, const Region *part);
+
 /* Reads that part of the band into pixels->rgb, and into pixels->linear where linear colours are wanted. */
 bool opencl_pixels_read(const Pixels *pixels, OpenclSession *session, const Parameters *band, const Region *region,
                         RenderReport *report, Error *error);

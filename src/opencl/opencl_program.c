@@ -24,6 +24,16 @@ static bool check_language(const DeviceInfo *info, Error *error)
                      info->name, info->c_version);
 }
 
+/* The kernel for GPUs is float's, has exact arithmetic only, and traces one path per sample. */
+static KernelKind kernel_for(const OpenclSession *session, const RenderSettings *settings)
+{
+    if (settings->kernel != KERNEL_AUTO)
+        return settings->kernel;
+    bool suits = strcmp(session->info.type, "CPU") != 0 && session->info.lanes_float == 1 && settings->lanes == 0 &&
+                 settings->precision == PRECISION_FLOAT && !session->adaptive && !session->casts;
+    return suits ? KERNEL_GPU : KERNEL_PACKET;
+}
+
 static bool choose_lanes(OpenclSession *session, const RenderSettings *settings, Error *error)
 {
     bool is_double = settings->precision == PRECISION_DOUBLE;
@@ -31,14 +41,14 @@ static bool choose_lanes(OpenclSession *session, const RenderSettings *settings,
         return error_set(error, ERROR_SYSTEM, "the device %s has no double precision; use --precision float",
                          session->info.name);
     session->precision = settings->precision;
-    session->kernel = settings->kernel;
+    session->kernel = kernel_for(session, settings);
     session->arithmetic = settings->arithmetic;
     /* The taught formulas know one precision. */
     session->wide_is_double = settings->arithmetic == ARITHMETIC_TEXTBOOK ? is_double : session->info.has_double;
     session->lanes = is_double ? session->info.lanes_double : session->info.lanes_float;
     if (settings->lanes > 0)
         session->lanes = settings->lanes;
-    if (settings->kernel == KERNEL_PLAIN)
+    if (session->kernel != KERNEL_PACKET)
         session->lanes = 1;
     session->packet_columns = session->lanes == 16 ? 4 : session->lanes >= 4 ? session->lanes / 2 : 1;
     session->packets_across = session->lanes > 1 ? 2 : 1;
@@ -49,44 +59,50 @@ static bool choose_lanes(OpenclSession *session, const RenderSettings *settings,
 }
 
 /* The end of the compiler's log is cut where the message is full; its first errors matter most. */
-static bool report_build_failure(OpenclSession *session, cl_int status, Error *error)
+static bool report_build_failure(const OpenclSession *session, cl_program program, cl_int status, Error *error)
 {
     size_t size = 0;
-    clGetProgramBuildInfo(session->program, session->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &size);
+    clGetProgramBuildInfo(program, session->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &size);
     char *log = calloc(size + 1, 1);
     if (!log)
         return error_memory(error, "the compiler's log");
-    clGetProgramBuildInfo(session->program, session->device, CL_PROGRAM_BUILD_LOG, size, log, NULL);
+    clGetProgramBuildInfo(program, session->device, CL_PROGRAM_BUILD_LOG, size, log, NULL);
     error_set(error, ERROR_SYSTEM, "the kernels do not compile for %s (%s); the compiler says:\n%s", session->info.name,
               opencl_status_name(status), log);
     free(log);
     return false;
 }
 
-static void write_options(const OpenclSession *session, Variant variant, RenderReport *report)
+/* wide_is_double: as the program has it. */
+static void write_options(const OpenclSession *session, Variant variant, bool wide_is_double, char *options,
+                          size_t room)
 {
     int accel = variant.accel == ACCEL_BVH ? 1 : variant.accel == ACCEL_KDTREE ? 2 : 0;
-    snprintf(report->build_options, sizeof report->build_options,
+    snprintf(options, room,
              "-DLANES=%d -DREAL_DOUBLE=%d -DHAS_DOUBLE=%d -DPACKETS=%d -DPACKETS_ACROSS=%d "
              "-DPACKET_COLUMNS=%d -DPACKET_ROWS=%d -DACCEL=%d -DNODE_WIDTH=%d "
              "-DBLOCK_ACROSS=%d -DSTACK_SIZE=%d -DFACE_RECORD_BYTES=%d -DPARAMETERS_BYTES=%d",
-             session->lanes, session->precision == PRECISION_DOUBLE, session->wide_is_double,
+             session->lanes, session->precision == PRECISION_DOUBLE, wide_is_double,
              session->packets_across * session->packets_across, session->packets_across, session->packet_columns,
              session->lanes / session->packet_columns, accel, variant.node_width, session->block_across,
              variant.stack_size, (int)sizeof(FaceRecord), (int)sizeof(Parameters));
-    char *options = report->build_options;
-    size_t room = sizeof report->build_options, used = strlen(options);
-    snprintf(options + used, room - used, "%s", session->linear ? " -DLINEAR=1" : "");
+    size_t used = strlen(options);
+    /* NVIDIA's compiler would take more of the 65 536 registers that all work-items share: docs/gpu.md, section 6. */
+    bool few_registers = session->kernel == KERNEL_GPU && strstr(session->info.platform, "NVIDIA");
+    snprintf(options + used, room - used, "%s%s", session->linear ? " -DLINEAR=1" : "",
+             few_registers ? " -cl-nv-maxrregcount=128" : "");
 }
 
 /* The kernel file that includes all that the session needs. Tiles of several packets are classified where float has
  * double for its exact rays. */
-static const char *root_of(const OpenclSession *session)
+static const char *root_of(const OpenclSession *session, int program)
 {
     if (session->casts)
         return "packet/cast.cl";
     if (session->kernel == KERNEL_PLAIN)
         return "plain.cl";
+    if (session->kernel == KERNEL_GPU)
+        return program == PROGRAM_EXACT ? "gpu_exact.cl" : "gpu.cl";
     if (session->adaptive)
         return "adaptive/refine.cl";
     bool classifies = session->precision == PRECISION_FLOAT && session->wide_is_double && session->packets_across > 1;
@@ -101,28 +117,29 @@ static void notify_compiling(const OpenclSession *session)
         session->notice.show(session->notice.user, text);
 }
 
-static bool build_program(OpenclSession *session, const char *sources, const char *options, Error *error)
+static bool compile_program(OpenclSession *session, OpenclProgram *made, const char *sources, const char *options,
+                            Error *error)
 {
-    session->program = opencl_kept_program(&session->info, session->context, session->device, session->key, options);
-    if (session->program)
+    made->program = opencl_kept_program(&session->info, session->context, session->device, made->key, options);
+    if (made->program)
         return true;
-    session->from_source = true;
+    made->from_source = true;
     notify_compiling(session);
     cl_int status;
-    session->program = clCreateProgramWithSource(session->context, 1, &sources, NULL, &status);
+    made->program = clCreateProgramWithSource(session->context, 1, &sources, NULL, &status);
     if (!opencl_ok(error, status, "clCreateProgramWithSource"))
         return false;
-    status = clBuildProgram(session->program, 1, &session->device, options, NULL, NULL);
-    if (status != CL_SUCCESS)
-        return report_build_failure(session, status, error);
-    return true;
+    status = clBuildProgram(made->program, 1, &session->device, options, NULL, NULL);
+    return status == CL_SUCCESS || report_build_failure(session, made->program, status, error);
 }
 
 void opencl_keep(OpenclSession *session)
 {
-    if (session->from_source)
-        opencl_keep_program(session->program, session->key);
-    session->from_source = false;
+    for (int i = 0; i < OPENCL_PROGRAMS; i++) {
+        if (session->programs[i].from_source)
+            opencl_keep_program(session->programs[i].program, session->programs[i].key);
+        session->programs[i].from_source = false;
+    }
 }
 
 static bool open_context(OpenclSession *session, Error *error)
@@ -131,7 +148,9 @@ static bool open_context(OpenclSession *session, Error *error)
     session->context = clCreateContext(NULL, 1, &session->device, NULL, NULL, &status);
     if (!opencl_ok(error, status, "clCreateContext"))
         return false;
-    session->queue = clCreateCommandQueue(session->context, session->device, 0, &status);
+    /* The kernel for GPUs is timed by the device, while the host does other work. */
+    cl_command_queue_properties timed = session->kernel == KERNEL_GPU ? CL_QUEUE_PROFILING_ENABLE : 0;
+    session->queue = clCreateCommandQueue(session->context, session->device, timed, &status);
     return opencl_ok(error, status, "clCreateCommandQueue");
 }
 
@@ -146,6 +165,7 @@ bool opencl_open(OpenclSession *session, const RenderSettings *settings, RenderR
         !open_context(session, error))
         return false;
     report->lanes = session->lanes;
+    report->kernel = session->kernel;
     report->threads = session->info.compute_units;
     snprintf(report->device, sizeof report->device, "%s", session->info.name);
     report->device_ms = clock_ms() - start;
@@ -157,25 +177,38 @@ static const char *tree_of(AccelKind accel)
     return accel == ACCEL_BVH ? "bvh" : accel == ACCEL_KDTREE ? "kdtree" : "all_faces";
 }
 
+/* A program that was built with the same options stays. */
+static bool build_program(OpenclSession *session, int which, Variant variant, RenderReport *report, Error *error)
+{
+    OpenclProgram *made = &session->programs[which];
+    const char *root = root_of(session, which);
+    char options[sizeof made->built];
+    /* The kernel for GPUs knows no double; its exact pass does. */
+    bool wide_is_double = session->wide_is_double && (session->kernel != KERNEL_GPU || which == PROGRAM_EXACT);
+    write_options(session, variant, wide_is_double, options, sizeof options);
+    if (which == PROGRAM_MAIN)
+        memcpy(report->build_options, options, sizeof options);
+    if (made->program && strcmp(made->built, options) == 0)
+        return true;
+    if (made->program)
+        clReleaseProgram(made->program);
+    *made = (OpenclProgram){0};
+    char *sources = opencl_sources(root, tree_of(variant.accel), render_arithmetics[session->arithmetic], error);
+    if (!sources)
+        return false;
+    made->key = opencl_kept_key(&session->info, root, sources, options);
+    bool ok = compile_program(session, made, sources, options, error);
+    if (ok)
+        memcpy(made->built, options, sizeof options);
+    free(sources);
+    return ok;
+}
+
 bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error)
 {
     double start = clock_ms();
-    write_options(session, variant, report);
-    if (session->program && strcmp(session->built, report->build_options) == 0)
-        return true;
-    if (session->program)
-        clReleaseProgram(session->program);
-    session->program = NULL;
-    char *sources =
-        opencl_sources(root_of(session), tree_of(variant.accel), render_arithmetics[session->arithmetic], error);
-    bool ok = sources != NULL;
-    if (ok) {
-        session->key = opencl_kept_key(&session->info, root_of(session), sources, report->build_options);
-        ok = build_program(session, sources, report->build_options, error);
-    }
-    if (ok)
-        memcpy(session->built, report->build_options, sizeof session->built);
-    free(sources);
+    bool ok = build_program(session, PROGRAM_MAIN, variant, report, error) &&
+              (session->kernel != KERNEL_GPU || build_program(session, PROGRAM_EXACT, variant, report, error));
     report->compile_ms = clock_ms() - start;
     return ok;
 }
@@ -194,8 +227,9 @@ void opencl_close(OpenclSession *session)
 {
     for (int i = 0; i < session->buffer_count; i++)
         clReleaseMemObject(session->buffers[i]);
-    if (session->program)
-        clReleaseProgram(session->program);
+    for (int i = 0; i < OPENCL_PROGRAMS; i++)
+        if (session->programs[i].program)
+            clReleaseProgram(session->programs[i].program);
     if (session->queue)
         clReleaseCommandQueue(session->queue);
     if (session->context)
@@ -237,10 +271,11 @@ cl_mem opencl_take(OpenclSession *session, void *data, size_t bytes, Error *erro
     return buffer;
 }
 
-cl_kernel opencl_kernel(OpenclSession *session, const char *name, const cl_mem *arguments, int count, Error *error)
+cl_kernel opencl_kernel(const OpenclProgram *program, const char *name, const cl_mem *arguments, int count,
+                        Error *error)
 {
     cl_int status;
-    cl_kernel kernel = clCreateKernel(session->program, name, &status);
+    cl_kernel kernel = clCreateKernel(program->program, name, &status);
     if (!opencl_ok(error, status, "clCreateKernel"))
         return NULL;
     for (int i = 0; i < count && status == CL_SUCCESS; i++)

@@ -9,6 +9,17 @@
 /* Where PoCL is told to specialise kernels, it compiles one once more for launches of more than 65535 work-groups. */
 enum { OPENCL_MAX_BUFFERS = 16, OPENCL_MAX_ITEMS = 65535 };
 
+/* A program, and what it is kept by for later runs. */
+typedef struct OpenclProgram {
+    cl_program program;
+    KernelCacheKey key;
+    char built[320];  /* its build options */
+    bool from_source; /* it was compiled in this run, not kept from an earlier one */
+} OpenclProgram;
+
+/* The session's kernel, and for a GPU the exact pass after it. */
+enum { PROGRAM_MAIN, PROGRAM_EXACT, OPENCL_PROGRAMS };
+
 /* Zero it, open it, build its kernels, close it; the buffers made with it are freed with it. */
 typedef struct OpenclSession {
     DeviceInfo info;
@@ -18,7 +29,7 @@ typedef struct OpenclSession {
     int block_across;                   /* so many tiles side by side, and below one another, are a work-item's */
     int block_columns, block_rows;      /* their pixels */
     bool wide_is_double;                /* t comes back as double */
-    KernelKind kernel;
+    KernelKind kernel;                  /* not KERNEL_AUTO */
     Arithmetic arithmetic;
     bool adaptive; /* the kernel is `render_adaptive` */
     bool casts;    /* it is `cast`; else it is `render`. One is built: a compiler takes seconds for each */
@@ -27,13 +38,10 @@ typedef struct OpenclSession {
     cl_device_id device;
     cl_context context;
     cl_command_queue queue;
-    cl_program program;
+    OpenclProgram programs[OPENCL_PROGRAMS];
     unsigned no_skip; /* as in RenderSettings, like the shift */
     float shift;
     Notice notice;
-    KernelCacheKey key; /* of the program */
-    char built[320];    /* the build options of the program */
-    bool from_source;   /* it was compiled in this run, not kept from an earlier one */
     cl_mem buffers[OPENCL_MAX_BUFFERS];
     int buffer_count;
     void *taken[OPENCL_MAX_BUFFERS]; /* the memory of buffers that are no copies */
@@ -50,13 +58,13 @@ typedef struct Variant {
     int stack_size; /* nodes that a traversal may have to remember */
 } Variant;
 
-/* Builds the session's kernel: from the sources embedded in rectray, or from the files of the folder that
+/* Builds the session's programs: from the sources embedded in rectray, or from the files of the folder that
  * the environment variable RECTRAY_KERNELS names (unless it is empty), or from what an
  * earlier run has kept of the same sources. Time and build options go to the report. A
  * kernel that does not compile is an ERROR_SYSTEM with the compiler's log. */
 bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error);
 
-/* Keeps the program for later runs if it was compiled in this one; to be called when the kernel has run once. */
+/* Keeps the programs for later runs if they were compiled in this one; to be called when each kernel has run once. */
 void opencl_keep(OpenclSession *session);
 
 void opencl_close(OpenclSession *session);
@@ -71,8 +79,9 @@ cl_mem opencl_buffer(OpenclSession *session, cl_mem_flags flags, size_t bytes, c
  * large scene is that memory, so that the scene is not there twice; elsewhere it is a copy. */
 cl_mem opencl_take(OpenclSession *session, void *data, size_t bytes, Error *error);
 
-/* A kernel with its buffers as arguments, in order; the caller releases it. */
-cl_kernel opencl_kernel(OpenclSession *session, const char *name, const cl_mem *arguments, int count, Error *error);
+/* A kernel of the program, with its buffers as arguments, in order; the caller releases it. */
+cl_kernel opencl_kernel(const OpenclProgram *program, const char *name, const cl_mem *arguments, int count,
+                        Error *error);
 
 /* Runs the kernel with at least `items` work-items and waits. */
 bool opencl_run(OpenclSession *session, cl_kernel kernel, size_t items, Error *error);

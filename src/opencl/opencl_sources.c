@@ -114,6 +114,7 @@ static bool included_file(const Expansion *e, const char *line, const char *from
         {"TREE", "packet/%s.cl", e->tree},
         {"BEAM_TREE", "adaptive/beam_%s.cl", e->tree},
         {"PLAIN_TREE", "plain/%s.cl", e->tree},
+        {"GPU_TREE", "gpu/%s.cl", e->tree},
         {"ARITHMETIC", "plain/%s_arithmetic.cl", e->arithmetic},
     };
     for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)

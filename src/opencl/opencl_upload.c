@@ -195,11 +195,8 @@ bool opencl_read(OpenclSession *session, cl_mem buffer, size_t bytes, void *data
     return opencl_ok(error, status, "clEnqueueReadBuffer");
 }
 
-static bool add_counters(OpenclSession *session, const SceneOnDevice *on_device, RenderReport *report, Error *error)
+void opencl_add_counters(const unsigned *counters, RenderReport *report)
 {
-    cl_uint counters[COUNTERS];
-    if (!opencl_read(session, on_device->counters, sizeof counters, counters, report, error))
-        return false;
     uint64_t sums[COUNTER_KINDS] = {0};
     for (int i = 0; i < COUNTERS; i++)
         if (i % COUNTER_STRIDE < COUNTER_KINDS)
@@ -211,6 +208,14 @@ static bool add_counters(OpenclSession *session, const SceneOnDevice *on_device,
         report->skipped[skip] += sums[COUNT_SKIPPED + skip];
     report->face_tests += sums[COUNT_FACE_TESTS];
     report->box_tests += sums[COUNT_BOX_TESTS];
+}
+
+static bool add_counters(OpenclSession *session, const SceneOnDevice *on_device, RenderReport *report, Error *error)
+{
+    cl_uint counters[COUNTERS];
+    if (!opencl_read(session, on_device->counters, sizeof counters, counters, report, error))
+        return false;
+    opencl_add_counters(counters, report);
     return true;
 }
 

@@ -33,6 +33,9 @@ bool opencl_warm_up(OpenclSession *session, const SceneOnDevice *on_device, cl_k
 bool opencl_launch(OpenclSession *session, const SceneOnDevice *on_device, cl_kernel kernel,
                    const Parameters *parameters, size_t items, RenderReport *report, Error *error);
 
+/* Adds counters that were read from the device, COUNTER_STRIPES rows of COUNTER_STRIDE, to the report. */
+void opencl_add_counters(const unsigned *counters, RenderReport *report);
+
 /* Copies a buffer to the host; adds the time to the report. */
 bool opencl_read(OpenclSession *session, cl_mem buffer, size_t bytes, void *data, RenderReport *report, Error *error);
 

@@ -17,8 +17,9 @@ typedef enum Precision { PRECISION_FLOAT, PRECISION_DOUBLE } Precision;
 /* How a tracer finds faces. ACCEL_LBVH asks for a bounding volume hierarchy made by sorting: bvh_morton.h. */
 typedef enum AccelKind { ACCEL_AUTO, ACCEL_NONE, ACCEL_KDTREE, ACCEL_BVH, ACCEL_LBVH } AccelKind;
 
-/* The OpenCL kernel: the fast one, packets of rays, or the plain one, a ray per work-item, written to be read. */
-typedef enum KernelKind { KERNEL_PACKET, KERNEL_PLAIN } KernelKind;
+/* The OpenCL kernel: the one that suits the device; packets of rays, fast on processors; the plain one, a ray per
+ * work-item, written to be read; or the one for GPUs. */
+typedef enum KernelKind { KERNEL_AUTO, KERNEL_PACKET, KERNEL_PLAIN, KERNEL_GPU } KernelKind;
 
 /* How a ray is tested against a face: so that rounding decides nothing, or by the taught formulas as they stand. The
  * second is that of the plain kernel and of textbook.h. */
@@ -90,10 +91,12 @@ typedef struct RenderReport {
     RayCounts rays;
     uint64_t box_tests, face_tests;
     uint64_t refined_pixels;      /* by adaptive sampling: those that got more than their centre */
+    uint64_t exact_pixels;        /* by the kernel for GPUs: those that float left to the exact pass */
     uint64_t skipped[SKIP_KINDS]; /* what was left out, by kind: skips.h says in what it is counted */
     uint64_t device_bytes;        /* of the scene and its tree in the device's memory */
     int lanes, threads;
-    AccelKind accel; /* the one used */
+    AccelKind accel;   /* the one used */
+    KernelKind kernel; /* the one used; KERNEL_AUTO: none of OpenCL's */
     char device[128];
     char build_options[320];
 } RenderReport;

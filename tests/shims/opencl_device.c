@@ -9,6 +9,8 @@
  *   SHIM_BUILD=refused     a program that was built counts as one that was not: what it takes to read the log
  *   SHIM_LOG=FILE          gets a line for each program that is built, "BUILT OPTIONS", and for each line of the
  *                          compiler's log "LOG ..."; and for each launch "LAUNCH ITEMS GROUP"
+ *   SHIM_SOURCES=FOLDER    gets the text of each program, 0.cl and so on, with the options that it is built with
+ *                          as its first line
  * To change another property, add its case to clGetDeviceInfo. */
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
@@ -91,11 +93,38 @@ static const char spirv[] = "#undef __x86_64__\n"
                             "#define __builtin_prefetch(place) prefetch_is_refused_here(place)\n";
 static const char bare[] = "#undef __has_builtin\n";
 
+static char *last_source;
+static int source_count;
+
+static void keep_source(const char *text)
+{
+    free(last_source);
+    last_source = strdup(text);
+}
+
+static void write_source(const char *options)
+{
+    const char *folder = getenv("SHIM_SOURCES");
+    if (!folder || !last_source)
+        return;
+    char name[4096];
+    snprintf(name, sizeof name, "%s/%d.cl", folder, source_count++);
+    FILE *file = fopen(name, "w");
+    if (file) {
+        fprintf(file, "// %s\n%s", options ? options : "", last_source);
+        fclose(file);
+    }
+    free(last_source);
+    last_source = NULL;
+}
+
 cl_program clCreateProgramWithSource(cl_context context, cl_uint count, const char **texts, const size_t *lengths,
                                      cl_int *status)
 {
     REAL(clCreateProgramWithSource);
     const char *compiler = getenv("SHIM_COMPILER");
+    if (count == 1 && !lengths)
+        keep_source(texts[0]);
     if (!compiler || count != 1 || lengths)
         return real(context, count, texts, lengths, status);
     const char *all[] = {spirv, strcmp(compiler, "bare") == 0 ? bare : "", texts[0]};
@@ -126,6 +155,7 @@ cl_int clBuildProgram(cl_program program, cl_uint count, const cl_device_id *dev
 {
     REAL(clBuildProgram);
     cl_int status = real(program, count, devices, options, notify, user);
+    write_source(options);
     log_build(program, devices[0], options);
     return getenv("SHIM_BUILD") ? CL_BUILD_PROGRAM_FAILURE : status;
 }

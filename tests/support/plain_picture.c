@@ -54,10 +54,10 @@ const char *picture_describe(const char *path, const Picture *picture, const Ren
 {
     static char text[512];
     snprintf(text, sizeof text,
-             "pixel %d,%d; see: rectray render %s --sampling uniform --size %dx%d --kernel plain --precision %s "
+             "pixel %d,%d; see: rectray render %s --sampling uniform --size %dx%d --kernel %s --precision %s "
              "--accel %s --arithmetic %s",
              pixel % picture->columns, pixel / picture->columns, path, picture->columns, picture->rows,
-             render_precisions[settings->precision], render_accels[settings->accel],
+             render_kernels[settings->kernel], render_precisions[settings->precision], render_accels[settings->accel],
              render_arithmetics[settings->arithmetic]);
     return text;
 }
