@@ -230,7 +230,7 @@ bench: ## measure the ladder of scenes: tables here, plots in build/bench/ (many
 # --- The rest -------------------------------------------------------------------------------------------------
 
 PARTS := src/page/page.mk tests/tests.mk tests/exercises/exercises.mk tests/exercises/course.mk .ci/care.mk \
-    .ci/package.mk tests/peers/peers.mk
+    .ci/package.mk tests/gpu/gpu.mk tests/peers/peers.mk
 include $(PARTS)
 
 .PHONY: clean
