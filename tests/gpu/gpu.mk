@@ -6,3 +6,11 @@ gpu-report: ## compile the kernels for GPUs and tell registers, memory, doubles 
 	@.ci/gpu_tools
 	@$(MAKE) --no-print-directory --silent $(PROGRAM) $(SHIM)
 	@python3 tests/gpu/report.py $(PROGRAM) $(SHIM) $(if $(COUNTS),--counts)
+
+# What can be built with what is there; nothing is fetched. POSE=1 tries it without a GPU.
+.PHONY: gpu-check
+gpu-check: ## on a machine with a GPU: is it right, and how fast? (at most 8 minutes; POSE=1: without one)
+	@$(MAKE) $(ALL_CORES) $(PROGRAM) $(if $(POSE),$(SHIM))
+	@$(MAKE) $(ALL_CORES) -k $(BUILD)/tests/test_gpu $(BUILD)/tests/test_backends $(STRESS) || \
+	    echo "gpu-check: not every suite can be built here"
+	@python3 tests/gpu/check.py $(PROGRAM) $(if $(POSE),$(SHIM))
