@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 static const char *const ROOTS[] = {"tile/render.cl", "packet/render.cl", "packet/cast.cl", "adaptive/refine.cl",
-                                    "plain.cl", "gpu.cl", "gpu_exact.cl"};
+                                    "plain.cl",       "gpu.cl",           "gpu_exact.cl"};
 enum { ROOT_COUNT = sizeof ROOTS / sizeof ROOTS[0] };
 static const char *const TREES[] = {"bvh", "kdtree", "all_faces"};
 

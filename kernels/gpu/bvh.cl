@@ -36,7 +36,8 @@ INLINE uint4 children_met(const Scene *scene, const RaySetup *s, int node, float
 {
     global const float4 *box = (global const float4 *)(scene->tree_floats + (size_t)node * (6 * NODE_WIDTH));
     int x = s->per_direction.x < 0, y = s->per_direction.y < 0, z = s->per_direction.z < 0;
-    float4 enter = fma(box[x], s->per_direction.x, s->near_side.x), leave = fma(box[1 - x], s->per_direction.x, s->far_side.x);
+    float4 enter = fma(box[x], s->per_direction.x, s->near_side.x);
+    float4 leave = fma(box[1 - x], s->per_direction.x, s->far_side.x);
     float4 enter_y = fma(box[2 + y], s->per_direction.y, s->near_side.y);
     float4 leave_y = fma(box[3 - y], s->per_direction.y, s->far_side.y);
     float4 enter_z = fma(box[4 + z], s->per_direction.z, s->near_side.z);

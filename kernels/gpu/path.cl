@@ -125,7 +125,7 @@ static FloatRay shadow_ray(const FloatHit *hit, float3 to, float distance)
 
 static void add_colour(local float *total, float3 colour) { vstore3(vload3(0, total) + colour, 0, total); }
 
-/* Steps 3 to 9: adds the sum of the hits' illuminations. False: the path is in doubt, and what it added is worthless. */
+/* Steps 3 to 9: adds the sum of the hits' illuminations. False: the path is in doubt, and what it added worthless. */
 static bool trace_path(Scene *scene, FloatRay ray, local float *total)
 {
     constant const Parameters *p = scene->parameters;

@@ -1,5 +1,5 @@
-/* Which pixel a work-item renders, what it leaves to the exact pass, and its counts. A group renders 8 x 8 pixels: their
- * rays meet the same faces. */
+/* Which pixel a work-item renders, what it leaves to the exact pass, and its counts. A group renders 8 x 8 pixels:
+ * their rays meet the same faces. */
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "plain/scene.cl"

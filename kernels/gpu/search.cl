@@ -1,5 +1,5 @@
-/* What a ray meets: steps 3 to 6 in float. Rays of the path and shadow rays are searched by the same code: a second copy
- * of it would take a quarter of the registers that a work-item may have. */
+/* What a ray meets: steps 3 to 6 in float. Rays of the path and shadow rays are searched by the same code: a second
+ * copy of it would take a quarter of the registers that a work-item may have. */
 #include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"

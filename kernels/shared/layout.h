@@ -115,8 +115,8 @@ enum {
     KD_LEAF = 3
 };
 
-/* An entry in the list of the pixels that gpu.cl leaves to gpu_exact.cl, in words of 4 bytes. The samples of a pixel are
- * divided into at most DOUBT_SHARES shares. */
+/* An entry in the list of the pixels that gpu.cl leaves to gpu_exact.cl, in words of 4 bytes. The samples of a pixel
+ * are divided into at most DOUBT_SHARES shares. */
 enum {
     DOUBT_PIXEL = 0,      /* its place in the band */
     DOUBT_SHARE_BITS = 1, /* 2 words: a bit for each share that is in doubt */

@@ -43,7 +43,8 @@ static bool cast_session(OpenclSession *session, const Scene *scene, const Scene
     cl_mem arguments[] = {
         on_device->parameters, on_device->faces, on_device->face_rows, on_device->planes,      ray_buffer,
         face_buffer,           t_buffer,         on_device->counters,  on_device->tree_floats, on_device->tree_ints};
-    cl_kernel kernel = opencl_kernel(&session->programs[PROGRAM_MAIN], "cast", arguments, sizeof arguments / sizeof arguments[0], error);
+    cl_kernel kernel = opencl_kernel(&session->programs[PROGRAM_MAIN], "cast", arguments,
+                                     sizeof arguments / sizeof arguments[0], error);
     if (!kernel)
         return false;
     Parameters parameters = opencl_parameters(scene);

@@ -30,8 +30,9 @@ typedef struct GpuPath {
     GpuBand bands[GPU_BANDS];
 } GpuPath;
 
-/* Kernels and buffers for pictures of a region, of a scene on a device; linear: as in RenderSettings. Runs each kernel once without
- * work, so that it is compiled, and keeps the programs; that time goes to the report. Free it also after a failure. */
+/* Kernels and buffers for pictures of a region, of a scene on a device; linear: as in RenderSettings. Runs each kernel
+ * once without work, so that it is compiled, and keeps the programs; that time goes to the report. Free it also after a
+ * failure. */
 bool gpu_path_make(GpuPath *path, OpenclSession *session, const SceneOnDevice *on_device, Parameters parameters,
                    double *linear, const Region *region, RenderReport *report, Error *error);
 void gpu_path_free(GpuPath *path);

@@ -12,7 +12,8 @@
  *   arithmetic   "exact" or "textbook", of the plain kernel
  * Each #include is replaced by the file that it names, the first time; #line directives keep the places of errors.
  * `#include TREE` stands for the file packet/NAME.cl of the tree, `#include BEAM_TREE` for adaptive/beam_NAME.cl and
- * `#include PLAIN_TREE` for plain/NAME.cl, `#include GPU_TREE` for gpu/NAME.cl; `#include ARITHMETIC` for plain/NAME_arithmetic.cl.
+ * `#include PLAIN_TREE` for plain/NAME.cl, `#include GPU_TREE` for gpu/NAME.cl; `#include ARITHMETIC` for
+ * plain/NAME_arithmetic.cl.
  * The files are those inside the program, or those of the folder that the environment variable RECTRAY_KERNELS names.
  * NULL, with the error filled: a file cannot be read, there is none of that name, or files include one another. The
  * error names the line that includes the file. */

@@ -91,7 +91,8 @@ def nvidia(program, words, source, folder):
         return
     code = code_of(run([os.path.join(FOLDER, "nvidia/nvdisasm"), "-c", cubin]).stdout)
     for kernel, text in re.findall(r"Compiling entry function '(\w+)'(.*?)(?=Compiling entry|\Z)", done.stderr, re.S):
-        stack, stores, loads = re.search(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes", text).groups()
+        frame = r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes"
+        stack, stores, loads = re.search(frame, text).groups()
         registers = re.search(r"Used (\d+) registers", text)[1]
         instructions = code.get(kernel, [])
         doubles = sum(1 for name in instructions if re.match(r"D[A-Z]+|F2F\.F(64\.F32|32\.F64)|[FI]2[FI]\.F64", name))
@@ -102,14 +103,15 @@ def nvidia(program, words, source, folder):
 
 def amd(program, words, source, folder):
     assembly = os.path.join(folder, "a.s")
-    if not compile_for("amdgcn-amd-amdhsa", ["-mcpu=gfx1030", "-nogpulib"], "amdgcn--amdhsa.bc", words, source, assembly):
+    processor = ["-mcpu=gfx1030", "-nogpulib"]
+    if not compile_for("amdgcn-amd-amdhsa", processor, "amdgcn--amdhsa.bc", words, source, assembly):
         return
     with open(assembly, encoding="utf-8") as file:
         text = file.read()
     for block in re.split(r"\n  - \.args:", text)[1:]:
         value = dict(re.findall(r"\.(\w+): +(\S+)", block))
         kernel = value["name"]
-        instructions = re.findall(r"^\t([vsdfgb][a-z]*_\w+)", text, re.M) # with all functions that it calls
+        instructions = re.findall(r"^\t([vsdfgb][a-z]*_\w+)", text, re.M)  # with all functions that it calls
         doubles = sum("f64" in name for name in instructions)
         yield Row(program, kernel, value["vgpr_count"], value["private_segment_fixed_size"],
                   int(value["vgpr_spill_count"]), len(instructions), doubles)
@@ -171,9 +173,12 @@ COUNTED = {
 def executed(rectray, scene, words, size, folder):
     """Instructions of the kernels' own code, in what PoCL compiled: those of its shared objects."""
     out = os.path.join(folder, "callgrind.out")
-    environment = dict(os.environ, POCL_MAX_PTHREAD_COUNT="1")
+    environment = dict(os.environ, POCL_MAX_PTHREAD_COUNT="1", RECTRAY_CACHE_DIR=os.path.join(FOLDER, "cache"))
+    render = [rectray, "render", scene, "-q", "--accel", "bvh", "--size", size, "--threads", "1", *words, "-o",
+              os.path.join(folder, "a.png")]
+    run(["valgrind", "--tool=none", *render], env=environment)  # compiles the kernel, in less time, and keeps it
     done = run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--compress-strings=no",
-                "--compress-pos=no", rectray, "render", scene, "-q", "--size", size, "--threads", "1", *words, "-o", os.path.join(folder, "a.png")], env=environment)
+                "--compress-pos=no", *render], env=environment)
     if done.returncode:
         skip(f"valgrind: {done.stderr.strip().splitlines()[-1]}")
         return None

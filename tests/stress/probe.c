@@ -138,7 +138,7 @@ static void run(Probe *probe, const char *name, const cl_mem *arguments, int arg
     check(clEnqueueWriteBuffer(probe->session.queue, probe->parameters, CL_TRUE, 0, sizeof parameters, &parameters, 0,
                                NULL, NULL),
           "clEnqueueWriteBuffer");
-    cl_kernel kernel = opencl_kernel(&probe->session, name, arguments, argument_count, &error);
+    cl_kernel kernel = opencl_kernel(&probe->session.programs[PROGRAM_MAIN], name, arguments, argument_count, &error);
     stop_unless(kernel && opencl_run(&probe->session, kernel, items, &error), &error);
     clReleaseKernel(kernel);
 }
