@@ -117,8 +117,8 @@ static void notify_compiling(const OpenclSession *session)
         session->notice.show(session->notice.user, text);
 }
 
-static bool compile_program(OpenclSession *session, OpenclProgram *made, const char *sources, const char *options,
-                            Error *error)
+static bool build_program(OpenclSession *session, OpenclProgram *made, const char *sources, const char *options,
+                          Error *error)
 {
     made->program = opencl_kept_program(&session->info, session->context, session->device, made->key, options);
     if (made->program)
@@ -178,7 +178,7 @@ static const char *tree_of(AccelKind accel)
 }
 
 /* A program that was built with the same options stays. */
-static bool build_program(OpenclSession *session, int which, Variant variant, RenderReport *report, Error *error)
+static bool make_program(OpenclSession *session, int which, Variant variant, RenderReport *report, Error *error)
 {
     OpenclProgram *made = &session->programs[which];
     const char *root = root_of(session, which);
@@ -197,7 +197,7 @@ static bool build_program(OpenclSession *session, int which, Variant variant, Re
     if (!sources)
         return false;
     made->key = opencl_kept_key(&session->info, root, sources, options);
-    bool ok = compile_program(session, made, sources, options, error);
+    bool ok = build_program(session, made, sources, options, error);
     if (ok)
         memcpy(made->built, options, sizeof options);
     free(sources);
@@ -207,8 +207,8 @@ static bool build_program(OpenclSession *session, int which, Variant variant, Re
 bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error)
 {
     double start = clock_ms();
-    bool ok = build_program(session, PROGRAM_MAIN, variant, report, error) &&
-              (session->kernel != KERNEL_GPU || build_program(session, PROGRAM_EXACT, variant, report, error));
+    bool ok = make_program(session, PROGRAM_MAIN, variant, report, error) &&
+              (session->kernel != KERNEL_GPU || make_program(session, PROGRAM_EXACT, variant, report, error));
     report->compile_ms = clock_ms() - start;
     return ok;
 }
