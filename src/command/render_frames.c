@@ -149,7 +149,6 @@ static bool read_frame(Frames *frames, int frame, Error *error)
 static bool render_to(Frames *frames, const Options *options, const char *output, Error *error)
 {
     Stats stats = stats_begin(&frames->scene, options->backend, options->settings.precision);
-    stats.kernel = options->backend == BACKEND_OPENCL ? options->settings.kernel : KERNEL_PACKET;
     stats.arithmetic = options->settings.arithmetic;
     bool done = frames->render(options, &frames->scene, output, &frames->held, &stats, error);
     stats_add(&frames->stats, &stats);

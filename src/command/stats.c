@@ -72,6 +72,7 @@ void stats_add(Stats *sum, const Stats *other)
     report->box_tests = a->box_tests + b->box_tests;
     report->face_tests = a->face_tests + b->face_tests;
     report->refined_pixels = a->refined_pixels + b->refined_pixels;
+    report->exact_pixels = a->exact_pixels + b->exact_pixels;
     for (int skip = 0; skip < SKIP_KINDS; skip++)
         report->skipped[skip] = a->skipped[skip] + b->skipped[skip];
     *sum = both;
