@@ -40,7 +40,8 @@ void gpu_path_free(GpuPath *path);
 /* From now on linear colours go there. */
 void gpu_path_fill(GpuPath *path, double *linear);
 
-/* Renders a picture of what is on the device now, with these parameters but for the band; adds times and counts to the report. */
+/* Renders a picture of what is on the device now, with these parameters but for the band; adds times and counts to the
+ * report. */
 bool gpu_path_picture(GpuPath *path, Parameters parameters, BandSink sink, RenderReport *report, Error *error);
 
 #endif
