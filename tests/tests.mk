@@ -100,7 +100,7 @@ $(BUILD)/tests/stress/probe_cl.inc: tests/stress/probe.cl
 COUNT ?= 1000
 
 .PHONY: random-scenes
-random-scenes: ## render random scenes on both backends and compare (COUNT=1000 SEED=1 KERNEL=plain)
+random-scenes: ## render random scenes on both backends and compare (COUNT=1000 SEED=1 KERNEL=plain or gpu)
 	@$(SETUP) build run test
 	@$(MAKE) --no-print-directory --silent $(RANDOM_COMPARE)
 	@python3 tests/random/run.py $(RANDOM_COMPARE) $(BUILD)/random-scenes $(COUNT) $(SEED) $(KERNEL)

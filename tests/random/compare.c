@@ -178,17 +178,19 @@ static bool same_textbooks(const Scene *scene, Error *error)
 
 static bool compare(const char *path, RenderSettings settings, Error *error)
 {
-    bool plain = settings.kernel == KERNEL_PLAIN;
+    bool plain = settings.kernel == KERNEL_PLAIN, gpu = settings.kernel == KERNEL_GPU;
     Scene scene;
     Picture expected = {0}, by_tree = {0}, in_double = {0}, in_float = {0}, apart = {0};
     bool ok = scene_load(&scene, path, error);
-    scene.adaptive = scene.adaptive && !plain;
+    scene.adaptive = scene.adaptive && !plain && !gpu;
     ok = ok &&
          render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_NONE, .threads = 1}, &expected, error) &&
          render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = settings.accel, .threads = 1}, &by_tree, error);
     settings.no_skip = settings.accel == ACCEL_NONE ? DOES_ALL : 0;
     settings.precision = PRECISION_DOUBLE;
+    settings.kernel = gpu ? KERNEL_PLAIN : settings.kernel; /* the one for GPUs has no double */
     ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_double, error);
+    settings.kernel = gpu ? KERNEL_GPU : settings.kernel;
     settings.precision = PRECISION_FLOAT;
     ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_float, error);
     bool by_tiles = settings.accel != ACCEL_NONE && settings.lanes > 1; /* else every ray went its own way already */
@@ -212,7 +214,9 @@ int main(void)
     static char path[4096], lanes[16], accel[16];
     static Error error;
     while (scanf("%4095s %15s %15s", path, lanes, accel) == 3) {
-        RenderSettings settings = {.kernel = strcmp(lanes, "plain") == 0 ? KERNEL_PLAIN : KERNEL_PACKET,
+        RenderSettings settings = {.kernel = strcmp(lanes, "plain") == 0 ? KERNEL_PLAIN
+                                             : strcmp(lanes, "gpu") == 0 ? KERNEL_GPU
+                                                                         : KERNEL_PACKET,
                                    .lanes = (int)strtol(lanes, NULL, 10),
                                    .accel = strcmp(accel, "none") == 0  ? ACCEL_NONE
                                             : strcmp(accel, "bvh") == 0 ? ACCEL_BVH

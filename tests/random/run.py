@@ -3,7 +3,7 @@
 SEED, SEED + 1, ... A scene that fails stays in FOLDER, as it was made and reduced to what the failure needs.
 The last line sums up: "N passed, N failed".
 Usage: run.py COMPARE FOLDER COUNT SEED [KERNEL]    COMPARE: the program built from compare.c
-KERNEL: plain, for the plain kernel alone"""
+KERNEL: plain or gpu, for that kernel alone"""
 import copy
 import itertools
 import json
@@ -17,6 +17,7 @@ import scenes
 # What the kernels can be built for: each takes seconds to compile, once.
 BUILDS = [(lanes, accel) for lanes in (1, 4, 8, 16) for accel in ("none", "bvh")] + [(8, "kdtree"), (16, "kdtree")]
 PLAIN_BUILDS = [("plain", accel) for accel in ("none", "bvh", "kdtree")]
+GPU_BUILDS = [("gpu", accel) for accel in ("none", "bvh", "kdtree")]
 ADAPTIVE_BUILDS = [(8, "bvh"), (16, "none")]
 
 
@@ -114,7 +115,8 @@ def try_scene(comparer, seed, kernel):
     name = f"scene-{seed}"
     generator = scenes.Generator(seed, name)
     text, files = generator.scene(), generator.files
-    builds = PLAIN_BUILDS if kernel == "plain" else ADAPTIVE_BUILDS if generator.adaptive else BUILDS + PLAIN_BUILDS
+    builds = {"plain": PLAIN_BUILDS, "gpu": GPU_BUILDS}.get(
+        kernel, ADAPTIVE_BUILDS if generator.adaptive else BUILDS + PLAIN_BUILDS)
     build = random.Random(-1 - seed).choice(builds)
     verdict = comparer.verdict(name, text, files, build)
     if good(verdict, generator):
