@@ -13,6 +13,8 @@ import unittest
 
 from support.program import SCENE, CommandTest, png_pixels
 
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
 KEYS = [{"frame": 0, "position": [1000.5, 0.5, 1]}, {"frame": 4, "position": [1000.5, 0.7, 2]},
         {"frame": 6, "position": [1000.9, 0.5, 1.5]}]
 MOVING = {**SCENE, "animation": {
@@ -135,6 +137,16 @@ class Frame(Films):
         self.assertEqual(out, self.bytes_of("three.json"))
         _, err = self.run_program("frame", "moving.json", "3", "-o", "moving.json", status=2)
         self.assertIn("would replace the scene", err)
+
+    def test_beside_its_models(self):
+        os.mkdir(self.path("models"))
+        for name in ("turntable.json", "models/star.obj", "models/star.mtl"):
+            shutil.copy(os.path.join(ROOT, "scenes", name), self.path(name))
+        os.mkdir(self.path("other"))
+        self.run_program("frame", "../turntable.json", "30", "-o", "../thirty.json", cwd=self.path("other"))
+        told, _ = self.run_program("check", "thirty.json")
+        expected, _ = self.run_program("check", "turntable.json", "--frame", "30")
+        self.assertEqual(told, expected.replace(b"turntable", b"thirty"))
 
     def test_what_does_not_exist(self):
         for number, reason in (("8", "there is no frame 8: those of moving.json are 0 to 7"),

@@ -36,7 +36,7 @@ const Command command_table[] = {
       {"rectray tree scenes/original.json --accel kdtree --step 3", "how the first three nodes were split"}}},
     {"frame", "SCENE K", 2, 2, "Prints frame K of a scene that moves, as an ordinary scene.", command_frame,
      {{"rectray frame scenes/turntable.json 30 -o scenes/thirty.json", "a scene for any command, beside its models"},
-      {"rectray frame scenes/turntable.json 30 | rectray check -", "what the frame holds"}}},
+      {"rectray frame scenes/moving_mirrors.json 30 | rectray check -", "what the frame holds"}}},
     {"join", "PART...", 1, MAX_PARTS, "Puts the parts of a picture together.", command_join,
      {{"rectray join part-*.png -o poster.png", "the picture, as one run would have written it"},
       {"rectray join a.png b.png -o -", "to standard output; the order of the parts does not matter"}}},

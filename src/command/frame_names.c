@@ -34,11 +34,12 @@ bool frame_names_check(const char *pattern, Error *error)
         numbers += at[1] != '%';
         at = end;
     }
-    return numbers == 1 || error_set(error, ERROR_USAGE,
-                                     numbers == 0 ? "-o '%s' names one file for all frames; put %%04d where the number "
-                                                    "of the frame is to be, as in 'frame-%%04d.png'"
-                                                  : "-o '%s' has the number of the frame twice",
-                                     pattern);
+    if (numbers == 0)
+        return error_set(error, ERROR_USAGE,
+                         "-o '%s' names one file for all frames; put %%04d where the number of the frame is to be, as "
+                         "in 'frame-%%04d.png', or end it in .mp4, .webm or .gif for a film",
+                         pattern);
+    return numbers == 1 || error_set(error, ERROR_USAGE, "-o '%s' has the number of the frame twice", pattern);
 }
 
 char *frame_name(const char *pattern, int frame, Error *error)

@@ -44,7 +44,8 @@ static bool check_options(const Options *options, Error *error)
     };
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (others[i].given)
-            return error_set(error, ERROR_USAGE, "%s does not go with --frames: %s", others[i].name, others[i].reason);
+            return error_set(error, ERROR_USAGE, "%s does not go with --frames or a film: %s", others[i].name,
+                             others[i].reason);
     return true;
 }
 

@@ -81,7 +81,7 @@ class CommandTest(unittest.TestCase):
         options.setdefault("stdin", subprocess.DEVNULL)
         options.setdefault("stdout", subprocess.PIPE)
         options.setdefault("stderr", subprocess.PIPE)
-        return subprocess.Popen([PROGRAM, *words], cwd=self.folder, **options)
+        return subprocess.Popen([PROGRAM, *words], **{"cwd": self.folder, **options})
 
     def run_program(self, *words, status=0, text_in=None, **options):
         """Runs `rectray WORDS`, checks its exit status, returns stdout (bytes) and stderr (str)."""
