@@ -202,11 +202,11 @@ static Outcome outcome_of_cut(Cut cut, double cost_of_its_plane)
 
 static double cost_there(const Part *part, Cut cut)
 {
-    double least = NAN;
+    double least = (double)NAN;
     for (int planar_low = 0; planar_low < 2; planar_low++) {
         Cut own = cut;
         if (cut.axis < 0 || cut.axis > 2)
-            return NAN;
+            return (double)NAN;
         count_sides(part, &own, planar_low, false);
         if (own.low_count == cut.low_count && own.high_count == cut.high_count)
             least = cost_with(COST_RIGHT, part->box, cut.axis, cut.position, cut.low_count, cut.high_count);

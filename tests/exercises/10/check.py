@@ -5,25 +5,18 @@ then pictures. Usage: check.py SOLUTION REPORT PICTURE; the report's lines are t
 A kernel is made for each run: ours, with other names, the student's, and checks.cl for both. Its numbers come back as
 the colours of a picture, which `rectray render` writes. The slips are changes of our kernel: see slips.py."""
 import os
-import resource
-import shutil
-import struct
-import subprocess
 import sys
 import tempfile
-import zlib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent.parent.parent
 sys.path.insert(0, str(HERE))
 import words  # noqa: E402
+from device import ROOT, Fails, NotCompiled, kernels_with, pfm_pixels, ppm_pixels, render, write_png  # noqa: E402
 from slips import SLIPS  # noqa: E402
 
-PROGRAM = os.environ.get("RECTRAY", str(ROOT / "build" / "rectray"))
 COLUMNS, ROWS, GRID, SLOTS = 48, 40, 2, 8
 TOGETHER = 3  # slips in one kernel: more compile longer than they save
-SECONDS = 6  # of processor time, for compiling a kernel and running it
 FUNCTIONS = ["primary_ray", "is_nearer", "nearest_hit", "place_hit", "is_blocked", "light_reaches", "at_least_zero",
              "illuminate", "shade", "trace_path", "store_pixel", "add_counts", "render"]
 ARGUMENTS = """constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
@@ -35,18 +28,6 @@ PICTURES = [("gallery", "scenes/gallery.json", 64, 36),
             ("viewer_camera", "tests/scenes/viewer_camera.json", 48, 36),
             ("no_bounces", "tests/scenes/no_bounces.json", 48, 36),
             ("store_pixel", "scenes/original.json", 64, 48)]
-
-
-class Fails(Exception):
-    """How the device ended: what is told, and whether it was the time."""
-
-    def __init__(self, said, slow=False):
-        super().__init__(said)
-        self.slow = slow
-
-
-class NotCompiled(Exception):
-    """What the compiler says."""
 
 
 class Report:
@@ -66,40 +47,6 @@ def fail(report, *values):
 
 
 # --- Running a kernel ---
-
-def limits():
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
-
-
-def render(folder, scene, columns, rows, *options):
-    """What `rectray render` writes with the kernels of a folder."""
-    environment = {**os.environ, "RECTRAY_KERNELS": str(folder), "RECTRAY_CACHE_DIR": ""}
-    command = [PROGRAM, "render", str(ROOT / scene), "--kernel", "plain", "--arithmetic", "textbook", "-a", "none",
-               "--precision", "double", "--size", f"{columns}x{rows}", "-q", "-o", "-", *options]
-    try:
-        out = subprocess.run(command, capture_output=True, env=environment, preexec_fn=limits, timeout=20 * SECONDS,
-                             check=False)
-    except subprocess.TimeoutExpired as error:
-        raise Fails("it does not come to an end", slow=True) from error
-    said = out.stderr.decode(errors="replace")
-    if out.returncode in (-24, -9):
-        raise Fails("it does not come to an end", slow=True)
-    if out.returncode < 0:
-        raise Fails("it follows a pointer that leads nowhere")
-    if "do not compile" in said:
-        raise NotCompiled("\n".join(line for line in said.splitlines() if "mine.cl" in line) or said)
-    if out.returncode != 0:
-        raise Fails(said.strip())
-    return out.stdout
-
-
-def kernels_with(folder, plain, **files):
-    """A copy of our kernels with that text for plain.cl, and other files beside it."""
-    shutil.copytree(ROOT / "kernels", folder)
-    for name, text in {"plain": plain, **files}.items():
-        (folder / f"{name}.cl").write_text(text, encoding="utf-8")
-    return folder
-
 
 def renamed(prefix, file):
     """Includes a kernel with a prefix before its functions' names."""
@@ -163,16 +110,6 @@ kernel void render({ARGUMENTS})
         own = pixels[k * SLOTS:(k + 1) * SLOTS]
         found.setdefault((test, prefix), []).append((own[:SLOTS // 2], own[SLOTS // 2:]))
     return found
-
-
-def pfm_pixels(data):
-    """The colours of a PFM file, from the top."""
-    head, columns_rows, _, rest = data.split(b"\n", 3)
-    columns, rows = map(int, columns_rows.split())
-    assert head == b"PF"
-    values = struct.unpack(f"<{3 * columns * rows}f", rest)
-    lines = [values[3 * columns * row:3 * columns * (row + 1)] for row in range(rows)]
-    return [line[3 * k:3 * k + 3] for line in reversed(lines) for k in range(columns)]
 
 
 # --- The functions ---
@@ -251,13 +188,6 @@ def check_functions(report, work, mine):
 
 # --- Pictures ---
 
-def ppm_pixels(data):
-    _, columns_rows, _, rest = data.split(b"\n", 3)
-    columns, rows = map(int, columns_rows.split())
-    assert len(rest) == 3 * columns * rows
-    return [tuple(rest[3 * k:3 * k + 3]) for k in range(columns * rows)]
-
-
 def picture_of(folder, scene, columns, rows, grid=1):
     return ppm_pixels(render(folder, scene, columns, rows, "--format", "ppm", "--grid", str(grid)))
 
@@ -298,16 +228,6 @@ def check_picture(report, name, scene, size, folders):
                 break
     fail(report, ("value", "the pixel's red, green and blue"), ("returned", colour_text(theirs[k])),
          ("expected", colour_text(ours[k])), ("slip", meaning))
-
-
-def write_png(path, columns, rows, pixels):
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    lines = b"".join(b"\0" + bytes(value for pixel in pixels[row * columns:(row + 1) * columns] for value in pixel)
-                     for row in range(rows))
-    Path(path).write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 2, 0, 0, 0))
-                           + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
 
 
 def side_by_side(report, path, folders):
