@@ -1,5 +1,5 @@
-"""The slips of exercise 10: each changes our kernel in one place, and in `make soak` each is told from ours and from the
-others by the numbers of its test."""
+"""The slips of exercise 10: each changes our kernel in one place, and in `make soak` each is told from ours and from
+the others by the numbers of its test."""
 import sys
 import tempfile
 import unittest

@@ -1,5 +1,6 @@
 """Renders with kernels of a folder, and reads and writes the pictures: what the tests of exercise 10 run on."""
 import os
+import re
 import resource
 import shutil
 import struct
@@ -44,7 +45,9 @@ def render(folder, scene, columns, rows, *options):
     if out.returncode < 0:
         raise Fails("it follows a pointer that leads nowhere")
     if "do not compile" in said:
-        raise NotCompiled("\n".join(line for line in said.splitlines() if "mine.cl" in line) or said)
+        lacking = re.findall(r"plain.cl.*undeclared identifier '(\w+)'", said)
+        raise NotCompiled("\n".join(line for line in said.splitlines() if "mine.cl" in line) or
+                          "\n".join(f"it has no function {name}" for name in lacking) or said)
     if out.returncode != 0:
         raise Fails(said.strip())
     return out.stdout
