@@ -5,6 +5,7 @@ Usage: hunt.py plant SEED      copy, build, pictures and walkthroughs in build/h
        hunt.py answer SEED     file, line, fault, and why it shows at that pixel
 The hunts are in tests/exercises/hunts, their faults in tests/mutants/list. `make hunt SEED=3` calls this.
 """
+import glob
 import os
 import shutil
 import subprocess
@@ -16,8 +17,7 @@ from mutants.run import read_list  # noqa: E402
 
 TOP = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 MUTANTS = os.path.join(TOP, "tests", "mutants", "list")
-COPIED = ["Makefile", "src", "kernels", "scenes", ".ci", "tests/tests.mk", "tests/peers/peers.mk",
-          "tests/exercises/exercises.mk", "tests/exercises/course.mk", "tests/scenes"]
+COPIED = ["Makefile", "src", "kernels", "scenes", ".ci", "tests/scenes"]
 BUILT = ["src", "kernel_sources.c", "kernel_sources.o", "page_template.c", "page_template.o", "rectray-parts.a",
          "rectray", ".libraries-found"]
 STRIDE = 7  # seeds that follow each other shall not bring faults that do
@@ -110,7 +110,7 @@ def words_of(hunt):
 
 def copy_tracer(folder):
     shutil.rmtree(folder, ignore_errors=True)
-    for name in COPIED:
+    for name in COPIED + glob.glob("tests/**/*.mk", recursive=True):
         os.makedirs(os.path.dirname(f"{folder}/{name}"), exist_ok=True)
         subprocess.run(["cp", "-Rp", name, f"{folder}/{name}"], check=True)
     os.makedirs(f"{folder}/build")
