@@ -2,6 +2,7 @@
 """render --part K/N and join: the whole is the undivided picture's file, and what does not fit is refused by name."""
 import json
 import os
+import subprocess
 import unittest
 import zlib
 
@@ -250,6 +251,53 @@ class Frames(PartTest):
         self.render("--frames", "all", "--region", "0,0,3x1", "-o", "x-%d.png")
         _, err = self.render("--frames", "all", "--region", "0,0,3x1", "-o", "x-%d.png", "--resume")
         self.assertIn("0 frames of 3 x 1 pixels", err)
+
+
+SCRIPTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "docs", "cluster")
+
+# Stands for GNU parallel: the last argument is the command, and {} in it a line of the input. There are no options.
+PARALLEL = """#!/bin/bash
+for last; do :; done
+while read -r line; do sh -c "${last//'{}'/$line}" || exit; done
+"""
+
+
+class Scripts(PartTest):
+    """What the scripts for clusters do beside the nodes that die in test-cluster."""
+
+    def setUp(self):
+        super().setUp()
+        scene = json.loads(self.bytes_of("scene.json"))
+        scene["animation"] = {"frames": 5, "camera": [{"frame": 0, "position": [1000.5, 0.5, 1]}]}
+        self.put("scene.json", json.dumps(scene))
+        self.put("parallel", PARALLEL)
+        os.chmod(self.path("parallel"), 0o755)
+
+    def run_script(self, *words):
+        environ = dict(os.environ, RECTRAY=PROGRAM, PATH=f"{self.path('.')}:{os.environ['PATH']}")
+        done = subprocess.run(words, cwd=self.path("."), env=environ, stdin=subprocess.DEVNULL, capture_output=True,
+                              text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_parallel_takes_options_or_none(self):
+        script = os.path.join(SCRIPTS, "parallel.sh")
+        for name, words in (("plain", []), ("other", ["--set", "shading.background=[0, 0, 1]"])):
+            self.run_script(script, "hosts.txt", "2", "frames", "scene.json", f"{name}/%d.png", *words)
+            self.assertEqual(sorted(os.listdir(self.path(name))), [f"{k}.png" for k in range(5)])
+            self.run_script(script, "hosts.txt", "2", "parts", "scene.json", f"{name} parts", *words)
+            self.render("-o", "whole.png", *words)
+            self.assertEqual(self.bytes_of(f"{name} parts.png"), self.bytes_of("whole.png"))
+
+    def test_make_makes_lost_frames_again(self):
+        words = ["make", "-f", os.path.join(SCRIPTS, "Makefile"), "film", "SCENE=scene.json", "N=2", "OUT=made",
+                 f"RECTRAY={PROGRAM}"]
+        self.run_script(*words)
+        kept = {name: self.bytes_of(f"made/{name}") for name in os.listdir(self.path("made"))}
+        self.assertEqual(len(kept), 5)
+        os.remove(self.path("made/0001.png"))
+        os.truncate(self.path("made/0003.png"), 0)
+        self.run_script(*words)
+        self.assertEqual({name: self.bytes_of(f"made/{name}") for name in os.listdir(self.path("made"))}, kept)
 
 
 if __name__ == "__main__":

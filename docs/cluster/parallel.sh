@@ -14,7 +14,8 @@ hosts=$1 n=$2 kind=$3 scene=$4 to=$5
 shift 5
 rectray=${RECTRAY:-rectray}
 # Quoted twice: once for parallel's shell here, once for the shell there.
-words=$(printf '%q ' "$@")
+words=
+[ $# -eq 0 ] || words=$(printf '%q ' "$@") # of no options printf would make one empty word
 case $kind in
 frames)
     mkdir -p "$(dirname "$to")"
