@@ -268,6 +268,34 @@ class Resume(Films):
         _, err = self.render_frames("all", "-o", "f%d.png", "--resume", "--size", "16x12")
         self.assertIn("; 0 were there", err)
 
+    def test_a_frame_with_a_wrong_byte_is_made_again(self):
+        self.render_frames("0-1", "-o", "f%d.png")
+        kept = self.bytes_of("f1.png")
+        for place in (20, len(kept) // 2, len(kept) - 20, len(kept) - 1):
+            with open(self.path("f1.png"), "wb") as file:
+                file.write(kept[:place] + bytes([kept[place] ^ 1]) + kept[place + 1:])
+            self.assertIn("; 1 were there", self.render_frames("0-1", "-o", "f%d.png", "--resume")[1])
+            self.assertEqual(self.bytes_of("f1.png"), kept)
+
+    def test_a_frame_without_pixels_is_made_again(self):
+        self.render_frames("0-1", "-o", "f%d.png")
+        kept = self.bytes_of("f1.png")
+        with open(self.path("f1.png"), "wb") as file:
+            file.write(kept[:33] + kept[-12:])  # the first chunk and the last
+        self.assertIn("; 1 were there", self.render_frames("0-1", "-o", "f%d.png", "--resume")[1])
+        self.assertEqual(self.bytes_of("f1.png"), kept)
+
+    def test_a_pipe_is_no_frame_to_wait_for(self):
+        os.mkfifo(self.path("f0.png"))
+        process = self.start("render", "moving.json", "-b", "reference", "--frames", "0-0", "-o", "f%d.png", "--resume")
+        with subprocess.Popen(["cat", self.path("f0.png")], stdout=subprocess.PIPE) as reader:
+            try:
+                self.assertEqual(reader.communicate(timeout=60)[0][:4], b"\x89PNG")
+            finally:
+                process.kill()
+                reader.kill()
+                process.communicate()
+
     def test_in_every_format(self):
         for words in (["f%d.ppm"], ["f%d.pfm"], ["g%d.png", "--depth", "16"], ["g%d.ppm", "--depth", "16"]):
             self.render_frames("0-1", "-o", *words)
