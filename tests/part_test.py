@@ -155,6 +155,22 @@ class Parts(PartTest):
                    hash_of("--arithmetic", "textbook", "-p", "float")]
         self.assertEqual(len({*others, *same}), len(others) + 1)
 
+    def test_the_hash_is_that_of_the_kernels(self):
+        def hash_of(*words):
+            self.run_program("render", "scene.json", "--part", "1/2", "-o", "a.png", "-q", *words, env=environ)
+            return note_of(self.bytes_of("a.png")).split()[-1]
+
+        environ = os.environ
+        for kernel, file in (("plain", "plain.cl"), ("packet", "packet/light.cl")):
+            own = hash_of("--kernel", kernel)
+            self.run_program("kernels", "--export", kernel)
+            environ = dict(os.environ, RECTRAY_KERNELS=self.path(kernel))
+            self.assertEqual(hash_of("--kernel", kernel), own)
+            with open(self.path(os.path.join(kernel, file)), "a", encoding="utf-8") as text:
+                text.write("/* mine */\n")
+            self.assertNotEqual(hash_of("--kernel", kernel), own)
+            environ = os.environ
+
     def test_what_makes_no_sense_is_refused(self):
         for words, message in (
             (["--region", "0,0,1x1"], "--region does not go with --part: a part is a band of the whole picture"),

@@ -1,9 +1,11 @@
 #include "command/part.h"
 
 #include "command/usage.h"
+#include "opencl/opencl_sources.h"
 #include "scene/scene_hash.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 /* The largest block that a kernel renders at once has so many rows. A block that is cut would be traced twice. */
 enum { BLOCK_ROWS = 32 };
@@ -50,6 +52,25 @@ Region part_region(OptionPart part, const Scene *scene)
     return (Region){0, range.first, scene->screen.columns, range.count};
 }
 
+/* Continues a hash with the texts of all kernels that may render the picture. Which of them does, device, lanes and
+ * tree decide, on which no pixel depends. A text that is missing counts as empty: where it is needed, the build fails. */
+static uint64_t hash_kernels(uint64_t hash, const RenderSettings *settings)
+{
+    static const char *const packets[] = {"tile/render.cl", "packet/render.cl", "adaptive/refine.cl"},
+                             *const plain[] = {"plain.cl"}, *const trees[] = {"all_faces", "bvh", "kdtree"};
+    bool is_plain = settings->kernel == KERNEL_PLAIN;
+    for (int root = 0; root < (is_plain ? 1 : 3); root++) {
+        for (int tree = 0; tree < 3; tree++) {
+            Error missing = {.kind = ERROR_NONE};
+            char *text = opencl_sources(is_plain ? plain[root] : packets[root], trees[tree],
+                                        render_arithmetics[settings->arithmetic], &missing);
+            hash = scene_hash_text(hash, text ? text : "");
+            free(text);
+        }
+    }
+    return hash;
+}
+
 PartNote part_note(const Options *options, const Scene *scene, Precision precision)
 {
     const RenderSettings *settings = &options->settings;
@@ -66,6 +87,8 @@ PartNote part_note(const Options *options, const Scene *scene, Precision precisi
     uint64_t hash = HASH_START;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         hash = scene_hash_text(hash, words[i]);
+    if (opencl)
+        hash = hash_kernels(hash, settings);
     return (PartNote){.number = options->part.number,
                       .count = options->part.count,
                       .first_row = region.row,
