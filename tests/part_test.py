@@ -161,7 +161,7 @@ class Parts(PartTest):
             return note_of(self.bytes_of("a.png")).split()[-1]
 
         environ = os.environ
-        for kernel, file in (("plain", "plain.cl"), ("packet", "packet/light.cl")):
+        for kernel, file in (("plain", "plain.cl"), ("packet", "packet/light.cl"), ("auto", "tile/render.cl")):
             own = hash_of("--kernel", kernel)
             self.run_program("kernels", "--export", kernel)
             environ = dict(os.environ, RECTRAY_KERNELS=self.path(kernel))

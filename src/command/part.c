@@ -52,18 +52,17 @@ Region part_region(OptionPart part, const Scene *scene)
     return (Region){0, range.first, scene->screen.columns, range.count};
 }
 
-/* Continues a hash with the texts of all kernels that may render the picture. Which of them does, device, lanes and
- * tree decide, on which no pixel depends. A text that is missing counts as empty: where it is needed, the build fails. */
-static uint64_t hash_kernels(uint64_t hash, const RenderSettings *settings)
+/* Continues a hash with the texts of all kernels. Which of them renders the picture, device, lanes and tree decide, on
+ * which no pixel depends. A missing text counts as empty: where it is needed, the build fails. */
+static uint64_t hash_kernels(uint64_t hash, Arithmetic arithmetic)
 {
-    static const char *const packets[] = {"tile/render.cl", "packet/render.cl", "adaptive/refine.cl"},
-                             *const plain[] = {"plain.cl"}, *const trees[] = {"all_faces", "bvh", "kdtree"};
-    bool is_plain = settings->kernel == KERNEL_PLAIN;
-    for (int root = 0; root < (is_plain ? 1 : 3); root++) {
-        for (int tree = 0; tree < 3; tree++) {
+    static const char *const roots[] = {"tile/render.cl", "packet/render.cl", "adaptive/refine.cl",
+                                        "gpu.cl",         "gpu_exact.cl",     "plain.cl"},
+                             *const trees[] = {"all_faces", "bvh", "kdtree"};
+    for (size_t root = 0; root < sizeof roots / sizeof *roots; root++) {
+        for (size_t tree = 0; tree < sizeof trees / sizeof *trees; tree++) {
             Error missing = {.kind = ERROR_NONE};
-            char *text = opencl_sources(is_plain ? plain[root] : packets[root], trees[tree],
-                                        render_arithmetics[settings->arithmetic], &missing);
+            char *text = opencl_sources(roots[root], trees[tree], render_arithmetics[arithmetic], &missing);
             hash = scene_hash_text(hash, text ? text : "");
             free(text);
         }
@@ -88,7 +87,7 @@ PartNote part_note(const Options *options, const Scene *scene, Precision precisi
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         hash = scene_hash_text(hash, words[i]);
     if (opencl)
-        hash = hash_kernels(hash, settings);
+        hash = hash_kernels(hash, settings->arithmetic);
     return (PartNote){.number = options->part.number,
                       .count = options->part.count,
                       .first_row = region.row,
