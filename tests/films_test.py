@@ -156,6 +156,11 @@ class Frame(Films):
         self.assertEqual(err, 'rectray: there is no frame 0: scene.json has no "animation"\n')
         self.run_program("render", "scene.json", "--frames", "0-1", status=2)
 
+    def test_a_light_has_one_name(self):
+        for name in ("00", "01", " 0", "+0", "-1", "1", "0x0", "sun", ""):
+            self.put("own.json", json.dumps(self.moving(lights={name: [{"frame": 0, "position": [1, 2, 3]}]})))
+            self.assertIn("there is no such light", self.run_program("check", "own.json", status=1)[1], name)
+
     def test_a_fault_of_one_frame_names_it(self):
         keys = [{"frame": 0, "position": [1000.5, 0.5, 1]}, {"frame": 2, "position": [1000.5, 0.5, -1]}]
         self.put("own.json", json.dumps(self.moving(camera=keys)))

@@ -65,7 +65,7 @@ static bool read_lights(Reading *reading, const cJSON *item)
         if (json_is_comment(child)) {
             if (!json_check_comment(reading->json, child))
                 return false;
-        } else if (index < 0 || *end || (child->string[0] == '0' && index > 0) || index >= count)
+        } else if (index < 0 || *end || (child->string[0] == '0' && child->string[1] != '\0') || index >= count)
             return json_fail_key(
                 reading->json, child,
                 "there is no such light; lights are named by their numbers, from \"0\", and the scene has %d", count);
