@@ -7,7 +7,7 @@ import os
 import shutil
 import unittest
 
-from support.program import PROGRAM, CommandTest, png_pixels
+from support.program import PROGRAM, SCENE, CommandTest, png_pixels
 
 SHIM = os.path.join(os.path.dirname(PROGRAM), "shims", "opencl_device.so")
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -192,6 +192,17 @@ class Compiler(ShimTest):
                 found += 1
                 self.assertIn("\nkernel FULL_LANES\nvoid ", text, name)
         self.assertEqual(found, 4)
+
+
+class Frames(ShimTest):
+    def test_the_program_is_made_once_for_all_frames(self):
+        keys = [{"frame": k, "position": [1000.5, 0.5, 1 + k]} for k in (0, 7)]
+        self.put("moving.json", json.dumps({**SCENE, "animation": {"frames": 8, "camera": keys}}))
+        env = self.environment(SHIM_LOG=self.path("log"))
+        self.run_program("render", "moving.json", "-q", "--frames", "all", "-o", "f%d.png", env=env)
+        log = [line.split()[0] for line in self.log()]
+        self.assertEqual(log.count("BUILT"), 1)
+        self.assertGreaterEqual(log.count("LAUNCH"), 8)
 
 
 class Check(ShimTest):
