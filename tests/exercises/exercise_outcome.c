@@ -101,7 +101,9 @@ static bool same_value(const Value *a, const Value *b)
 {
     if (isnan(a->value) || isnan(b->value))
         return isnan(a->value) && isnan(b->value);
-    return a->value == b->value || fabs(a->value - b->value) <= 1e-12 + 1e-9 * fmax(fabs(a->value), fabs(b->value));
+    if (isinf(a->value) || isinf(b->value)) /* or its distance would be within any part of it */
+        return a->value == b->value;
+    return fabs(a->value - b->value) <= 1e-12 + 1e-9 * fmax(fabs(a->value), fabs(b->value));
 }
 
 /* The first value that differs; -1: none does. */
