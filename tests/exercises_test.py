@@ -155,7 +155,27 @@ class Runs(unittest.TestCase):
 
     def test_a_call_of_itself_without_end_is_told(self):
         _, result = run_json(3, self.solution("    return !inside_edges(face, n, hit);"))
-        self.assertRegex(result["failure"]["crash"], r"^it calls itself without end \(.*mine\.c, line 4\)$")
+        self.assertRegex(result["failure"]["crash"], r"^it calls itself without end \(.*mine\.c, line [34]\)$")  # the stack may end as the function begins
+
+    def test_an_infinite_number_is_not_taken_for_ours(self):
+        path = self.solution("    hit->edges = face->vertex_count + (n.x > 0);\n    for (int k = 0; k < 4; k++)\n"
+                             "        hit->edge[k] = HUGE_VAL;\n    return true;")
+        failure = run_json(3, path)[1]["failure"]
+        self.assertEqual((failure["value"], failure["returned"], failure["expected"]), ("hit->edge[0]", "inf", "6"))
+
+    def test_a_walk_may_round_otherwise_than_ours(self):
+        text = (TESTS / "09" / "wrong" / "limit_excluded.c").read_text(encoding="utf-8")
+        between = r"interval_common\(part, interval_between\(.*\)\);"
+        first, second = "{part.enter, fmin(part.leave, t)}", "{fmax(part.enter, t), part.leave}"
+        for before, after in (
+                ("part.enter >= way->limit", "part.enter > way->limit"),
+                ("Interval low = " + between, "double t = ((double)node->split - o) / r;\n"
+                 f"    Interval before = {first}, behind = {second}, low = r < 0 ? behind : before;"),
+                ("Interval high = " + between, "Interval high = r < 0 ? before : behind;")):
+            text, count = re.subn(before, after, text)
+            self.assertEqual(count, 1, before)
+        status, result = run_json(9, self.put(text))
+        self.assertEqual((status, result["status"]), (0, "passed"), result)
 
     def test_output_without_end_is_told(self):
         path = self.put('#include "trace/textbook_real.h"\n#include <stdio.h>\n'

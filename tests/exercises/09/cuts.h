@@ -137,6 +137,7 @@ typedef enum CutSlip {
     CUT_BEGINS,
     CUT_TOUCHING,
     CUT_PLANAR_LOW,
+    CUT_NOT_AT_ENDS,
     CUT_SLIPS
 } CutSlip;
 
@@ -146,6 +147,7 @@ static const char *const CUT_TEXTS[CUT_SLIPS] = {
     [CUT_BEGINS] = "only planes where a face's box begins are tried, not those where one ends",
     [CUT_TOUCHING] = "a face that only touches the plane counts on both sides: < is right, not <=",
     [CUT_PLANAR_LOW] = "faces in the plane always go to the low side: try both",
+    [CUT_NOT_AT_ENDS] = "planes in a side of the box are never tried: there, a face that is flat is a part of its own",
 };
 
 static void count_sides(const Part *part, Cut *cut, bool planar_low, bool touching)
@@ -165,6 +167,9 @@ static void try_plane(const Part *part, Cut cut, CutSlip slipped, Cut *best)
         count_sides(part, &cut, planar_low, slipped == CUT_TOUCHING);
         if ((cut.position == part->box.low[cut.axis] && cut.low_count == 0) ||
             (cut.position == part->box.high[cut.axis] && cut.high_count == 0))
+            continue;
+        if (slipped == CUT_NOT_AT_ENDS &&
+            (cut.position == part->box.low[cut.axis] || cut.position == part->box.high[cut.axis]))
             continue;
         cut.cost = cost_with(COST_RIGHT, part->box, cut.axis, cut.position, cut.low_count, cut.high_count);
         if (cut.cost < best->cost)
@@ -222,8 +227,11 @@ static void judge_cut(const Part *part)
         given((const char *[]){"face 0", "face 1", "face 2", "face 3", "face 4", "face 5"}[i], "%s",
               box_text(part->faces[i]));
     Cut right = best_with(part, CUT_RIGHT), cut = best_cut(part->box, part->faces, part->count);
-    given("your cut", "%c = %g, %d low, %d high", "xyz?"[cut.axis >= 0 && cut.axis < 3 ? cut.axis : 3],
-          (double)cut.position, cut.low_count, cut.high_count);
+    if (cut.cost == HUGE_VAL)
+        given("your cut", "none");
+    else
+        given("your cut", "%c = %g, %d low, %d high", "xyz?"[cut.axis >= 0 && cut.axis < 3 ? cut.axis : 3],
+              (double)cut.position, cut.low_count, cut.high_count);
     Outcome returned = outcome_of_cut(cut, cost_there(part, cut)), expected = {0};
     add_number(&expected, "the cut's cost", right.cost);
     add_formula(&expected, "the cheapest cut is at %c = %s, with %d faces low and %d high: it costs %s",

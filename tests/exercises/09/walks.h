@@ -34,6 +34,7 @@ typedef enum WalkSlip {
     WALK_LIMIT_EXCLUDED,
     WALK_NO_MISS,
     WALK_GOES_ON,
+    WALK_CHILD_UNHEARD,
     WALK_NOT_COUNTED,
     WALK_ONLY_NEAR,
     WALK_SLIPS
@@ -47,6 +48,7 @@ static const char *const WALK_TEXTS[WALK_SLIPS] = {
     [WALK_LIMIT_EXCLUDED] = "a node that the ray enters exactly at the limit is left out: it is not beyond",
     [WALK_NO_MISS] = "a node is walked through although the ray is never in its box: enter > leave",
     [WALK_GOES_ON] = "the walk goes on after `visit` gave back false",
+    [WALK_CHILD_UNHEARD] = "the walk goes on although that of a child gave back false",
     [WALK_NOT_COUNTED] = "nodes are counted only where they are walked through: count first",
     [WALK_ONLY_NEAR] = "only the near child is walked through",
 };
@@ -79,7 +81,7 @@ static bool walk_with(WalkSlip slipped, const KdTree *tree, int index, Interval 
     Interval parts[2] = {low, high};
     for (int k = 0; k < (slipped == WALK_ONLY_NEAR ? 1 : 2) && good; k++) {
         int child = from_high ? 1 - k : k;
-        good = walk_with(slipped, tree, children[child], parts[child], way);
+        good = walk_with(slipped, tree, children[child], parts[child], way) || slipped == WALK_CHILD_UNHEARD;
     }
     return good;
 }
@@ -198,8 +200,9 @@ static void not_beyond_the_limit(void)
     shown_by_the_gallery();
     judge_walk(&tree, (Ray){vec3(-1, 2, 2), vec3(1, 0, 0)}, 3.5, (Steps){0});
     judge_walk(&tree, (Ray){vec3(-1, 2, 2), vec3(1, 0, 0)}, HUGE_VAL, (Steps){.limits = {0, 2.5}});
-    Interval high = interval_between(2, HUGE_VAL, -1, 1);
-    judge_walk(&tree, (Ray){vec3(-1, 2, 2), vec3(1, 0, 0)}, high.enter, (Steps){0});
+    /* The root, since the t of a plane inside depends on how it is rounded. */
+    Ray ray = {vec3(-1, 2, 2), vec3(1, 0, 0)};
+    judge_walk(&tree, ray, interval_in_box(tree.box, ray.origin, ray.direction).enter, (Steps){0});
 }
 
 static void stops_when_told(void)
