@@ -40,6 +40,8 @@ CHANGES = [
     ("place_hit", "hit->normal = hit->from_behind ? -n : n;\n    hit->shifted = point_shifted(scene, hit);",
      "hit->normal = n;\n    hit->shifted = point_shifted(scene, hit);\n    hit->normal = hit->from_behind ? -n : n;",
      "the point is shifted before the normal is turned"),
+    ("place_hit", "hit->shifted = point_shifted(scene, hit)", "hit->shifted = hit->point",
+     "the point is shifted before there is a normal, or not at all"),
 
     ("is_blocked", SHADOW, "{hit->shifted, light, hit->face}",
      "the ray's direction is the light's position, not the way to it: L = light - shifted"),
