@@ -104,6 +104,7 @@ PLANTED = {
     "h-not-unit": ("original", 40, 36, [("h = unit(add(l, v))", "h = add(l, v)")]),
     "h-halved": ("background", 27, 20, [("h = unit(add(l, v))", "h = scale(0.5, add(l, v))")]),
     "h-difference": ("original", 40, 36, [("h = unit(add(l, v))", "h = unit(sub(l, v))")]),
+    "l-dot-h": ("original", 40, 36, [("s = max(0, dot(n, h))", "s = max(0, dot(l, h))")]),
     "light-colour-forgotten": ("cornell", 350, 300, [
         ('"specular": [1, 1, 1], **light}', '"specular": [1, 1, 1], "position": light["position"]}')]),
     "light-diffuse-forgotten": ("cornell", 350, 300, [

@@ -121,6 +121,14 @@ static Illumination h_is_l(const SlipShine *shine)
     return with_h(shine, shine->l);
 }
 
+static Illumination l_dot_h(const SlipShine *shine)
+{
+    double cosine = fmax(0, vec3_dot(shine->l, slip_steps_terms(shine).h));
+    Illumination terms = with_highlight(shine, pow(cosine, exponent(shine)));
+    terms.n_dot_h = cosine;
+    return terms;
+}
+
 static Illumination highlight_times_cosine(const SlipShine *shine)
 {
     Illumination terms = slip_steps_terms(shine);
@@ -156,6 +164,8 @@ const Slip slip_term[] = {
      LIGHT, .steps = {.terms = h_difference}},
     {"h-is-l", "The highlight has L where H should be.", BLINN, "s = (N.L)^(alpha/4)", LIGHT,
      .steps = {.terms = h_is_l}},
+    {"l-dot-h", "The highlight has L.H where N.H should be.", BLINN, "s = (L.H)^(alpha/4)", LIGHT,
+     .steps = {.terms = l_dot_h}},
     {"no-cosine", "The diffuse term has no cosine.", "kd id (L.N)", "kd id", LIGHT,
      .steps = {.terms = diffuse_everywhere}},
     {"diffuse-not-clamped", "A light behind the face takes diffuse light away: L.N is not clamped at 0.", "max(0, L.N)",
