@@ -16,7 +16,7 @@ solution: ## print our own function for exercise N of docs/exercises, with its c
 	@tests/exercises/solution.py $(N)
 
 .PHONY: figures
-figures: ## write the figures of the course's slides, drawings as SVG, too, with a page that shows them, to build/figures/
+figures: ## write the figures of the course's slides, with a page that shows them, to build/figures/
 	@$(SETUP) build test figures
 	@$(MAKE) $(ALL_CORES) $(PROGRAM)
 	@tests/exercises/figures.py
