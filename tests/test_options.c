@@ -27,7 +27,7 @@ void tearDown(void) {}
 /* Parses a line of words, of which the first is the command. */
 static bool parse(const char *line)
 {
-    char *argv[17];
+    static char *argv[17]; /* the options point into it */
     int argc = 0;
     strcpy(words, line);
     for (char *word = strtok(words, " "); word; word = strtok(NULL, " "))

@@ -42,6 +42,6 @@ void usage_print_commands(FILE *out, const Command *commands)
 {
     fprintf(out, "usage: rectray COMMAND ...\n\ncommands:\n");
     for (const Command *command = commands; command->name; command++)
-        fprintf(out, "  %-9s%-21s%s\n", command->name, command->operands, command->summary);
+        fprintf(out, "  %-9s%-20s%s\n", command->name, command->operands, command->summary);
     fprintf(out, "\n`rectray help COMMAND` tells the options of a command, `rectray --version` the version.\n");
 }
