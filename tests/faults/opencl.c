@@ -5,7 +5,8 @@
  *   FAULT_DEVICES=0  every platform says that it has no device
  *   FAULT_LOG=FILE   gets one line in the end: "CALLS LEFT [NAME]", LEFT being how many objects nobody released, NAME
  *                    the first call that failed
- * Releases never fail: nothing can be done about one that does. To add a call that the program makes, add its line. */
+ * Releases never fail: nothing can be done about one that does. clGetEventProfilingInfo does not fail either: without it
+ * a time is told as 0, and the picture is whole. To add a call that the program makes, add its line. */
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
@@ -62,6 +63,18 @@ static cl_int failed(cl_int *status)
     {                                                        \
         REAL(name);                                          \
         return fails(#name) ? failed(NULL) : real arguments; \
+    }
+
+/* One that returns its status and hands out an event if it is asked for one. */
+#define EVENT_CALL(name, parameters, arguments)          \
+    cl_int name parameters                               \
+    {                                                    \
+        REAL(name);                                      \
+        if (fails(#name))                                \
+            return failed(NULL);                         \
+        cl_int status = real arguments;                  \
+        left += status == CL_SUCCESS && event && *event; \
+        return status;                                   \
     }
 
 /* One that returns an object, and its status through the last parameter. */
@@ -131,25 +144,28 @@ STATUS_CALL(clGetProgramBuildInfo,
             (program, device, key, size, value, needed))
 STATUS_CALL(clSetKernelArg, (cl_kernel kernel, cl_uint index, size_t size, const void *value),
             (kernel, index, size, value))
-STATUS_CALL(clEnqueueWriteBuffer,
-            (cl_command_queue queue, cl_mem buffer, cl_bool wait, size_t offset, size_t size, const void *data,
-             cl_uint count, const cl_event *events, cl_event *event),
-            (queue, buffer, wait, offset, size, data, count, events, event))
-STATUS_CALL(clEnqueueReadBuffer,
-            (cl_command_queue queue, cl_mem buffer, cl_bool wait, size_t offset, size_t size, void *data, cl_uint count,
-             const cl_event *events, cl_event *event),
-            (queue, buffer, wait, offset, size, data, count, events, event))
-STATUS_CALL(clEnqueueReadBufferRect,
-            (cl_command_queue queue, cl_mem buffer, cl_bool wait, const size_t *from, const size_t *to,
-             const size_t *size, size_t from_row, size_t from_slice, size_t to_row, size_t to_slice, void *data,
-             cl_uint count, const cl_event *events, cl_event *event),
-            (queue, buffer, wait, from, to, size, from_row, from_slice, to_row, to_slice, data, count, events, event))
-STATUS_CALL(clEnqueueNDRangeKernel,
-            (cl_command_queue queue, cl_kernel kernel, cl_uint dimensions, const size_t *offset, const size_t *global,
-             const size_t *local, cl_uint count, const cl_event *events, cl_event *event),
-            (queue, kernel, dimensions, offset, global, local, count, events, event))
+EVENT_CALL(clEnqueueWriteBuffer,
+           (cl_command_queue queue, cl_mem buffer, cl_bool wait, size_t offset, size_t size, const void *data,
+            cl_uint count, const cl_event *events, cl_event *event),
+           (queue, buffer, wait, offset, size, data, count, events, event))
+EVENT_CALL(clEnqueueReadBuffer,
+           (cl_command_queue queue, cl_mem buffer, cl_bool wait, size_t offset, size_t size, void *data, cl_uint count,
+            const cl_event *events, cl_event *event),
+           (queue, buffer, wait, offset, size, data, count, events, event))
+EVENT_CALL(clEnqueueReadBufferRect,
+           (cl_command_queue queue, cl_mem buffer, cl_bool wait, const size_t *from, const size_t *to,
+            const size_t *size, size_t from_row, size_t from_slice, size_t to_row, size_t to_slice, void *data,
+            cl_uint count, const cl_event *events, cl_event *event),
+           (queue, buffer, wait, from, to, size, from_row, from_slice, to_row, to_slice, data, count, events, event))
+EVENT_CALL(clEnqueueNDRangeKernel,
+           (cl_command_queue queue, cl_kernel kernel, cl_uint dimensions, const size_t *offset, const size_t *global,
+            const size_t *local, cl_uint count, const cl_event *events, cl_event *event),
+           (queue, kernel, dimensions, offset, global, local, count, events, event))
 STATUS_CALL(clFinish, (cl_command_queue queue), (queue))
+STATUS_CALL(clFlush, (cl_command_queue queue), (queue))
+STATUS_CALL(clWaitForEvents, (cl_uint count, const cl_event *events), (count, events))
 
+RELEASE_CALL(clReleaseEvent, cl_event)
 RELEASE_CALL(clReleaseMemObject, cl_mem)
 RELEASE_CALL(clReleaseKernel, cl_kernel)
 RELEASE_CALL(clReleaseProgram, cl_program)
