@@ -5,8 +5,8 @@
  *   FAULT_DEVICES=0  every platform says that it has no device
  *   FAULT_LOG=FILE   gets one line in the end: "CALLS LEFT [NAME]", LEFT being how many objects nobody released, NAME
  *                    the first call that failed
- * Releases never fail: nothing can be done about one that does. clGetEventProfilingInfo does not fail either: without it
- * a time is told as 0, and the picture is whole. To add a call that the program makes, add its line. */
+ * Releases never fail: nothing can be done about one that does. Nor does clGetEventProfilingInfo: without it a time is
+ * told as 0, and the picture is whole. To add a call that the program makes, add its line. */
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
