@@ -400,6 +400,13 @@ class Film(Films):
             self.assertEqual(self.files_of_film(), ["film.mp4"])
             self.assertEqual(self.bytes_of("film.mp4"), b"before")
 
+    def test_an_ffmpeg_that_writes_nothing_has_failed_whatever_it_says(self):
+        self.put("film.mp4", "before")
+        _, err = self.film("-o", "film.mp4", env=self.with_ffmpeg("#!/bin/sh\nwhile read -r line; do :; done\n"),
+                           status=3)
+        self.assertIn("could not make the film film.mp4: it made no film, and does not say why", err)
+        self.assertEqual(self.bytes_of("film.mp4"), b"before")
+
     def test_a_fault_of_a_frame_ends_the_film(self):
         moving = self.moving(camera=[{"frame": 0, "position": [1000.5, 0.5, 1]},
                                      {"frame": 2, "position": [1000.5, 0.5, -1]}])

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -122,7 +123,9 @@ static bool end(Film *film, Error *error)
     while (waitpid(film->ffmpeg, &status, 0) < 0 && errno == EINTR)
         ;
     film->ffmpeg = 0;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+    struct stat file;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 &&
+        (fstat(fileno(film->output.file), &file) != 0 || file.st_size > 0))
         return true;
     rewind(film->messages);
     words[fread(words, 1, sizeof words - 1, film->messages)] = '\0';
@@ -130,7 +133,7 @@ static bool end(Film *film, Error *error)
     return error_set(error, ERROR_SYSTEM, "ffmpeg could not make the film %s: %s", film->output.path,
                      words[0]              ? words
                      : WIFSIGNALED(status) ? "a signal ended it"
-                                           : "it does not say why");
+                                           : "it made no film, and does not say why");
 }
 
 /* --- Films --- */
