@@ -393,7 +393,7 @@ class Film(Films):
 
     def test_a_failure_of_ffmpeg_is_told_and_the_film_stays_as_it_was(self):
         self.put("film.mp4", "before")
-        shell = "#!/bin/sh\necho 'no such encoder' >&2\n"
+        shell = "#!/bin/sh\necho 'no such encoder' >&2\necho half >&3\n" # 3: the film
         for rest in ("exit 3", "read -r line\nexit 4", "while read -r line; do :; done\nexit 5"):
             _, err = self.film("-o", "film.mp4", "--size", "400x300", env=self.with_ffmpeg(shell + rest), status=3)
             self.assertEqual(err, "rectray: ffmpeg could not make the film film.mp4: no such encoder\n")
