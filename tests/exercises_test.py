@@ -34,6 +34,18 @@ def wrong(number):
     return sorted((TESTS / f"{number:02}" / "wrong").iterdir())
 
 
+def solution_of(number, path, folder):
+    """The file of a solution. An edit is made of ours: its lines say what is replaced by what."""
+    if not path or path.suffix != ".edit":
+        return path
+    _, old, new = path.read_text(encoding="utf-8").splitlines()
+    text = ours(number).read_text(encoding="utf-8")
+    assert text.count(old[2:]) == 1, f"{path}: {old}"
+    made = Path(folder) / (path.stem + ours(number).suffix)
+    made.write_text(text.replace(old[2:], new[2:]), encoding="utf-8")
+    return made
+
+
 def run(number, *words):
     """The exit status, and what it says."""
     with tempfile.TemporaryDirectory() as folder:
@@ -53,8 +65,9 @@ class Exercises(unittest.TestCase):
         """All solutions at once, on all processors."""
         jobs = [(number, None) for number in NUMBERS]
         jobs += [(number, path) for number in NUMBERS for path in (ours(number), *wrong(number))]
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            results = pool.map(lambda job: run_json(job[0], *([str(job[1])] if job[1] else [])), jobs)
+        with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            files = [solution_of(*job, folder) for job in jobs]
+            results = pool.map(lambda job, file: run_json(job[0], *([str(file)] if file else [])), jobs, files)
             cls.results = dict(zip(jobs, results))
 
     def test_there_are_folders_for_each(self):
