@@ -32,5 +32,7 @@ parts)
     exit 2
     ;;
 esac
+# parallel runs each task in $SHELL; where that is not set, as in some services, it runs none and reports no failure.
+export SHELL=$BASH PARALLEL_SHELL=$BASH
 seq -w "$n" | parallel --sshloginfile "$hosts" --retries 3 --workdir "$PWD" --joblog "${JOBLOG:-/dev/null}" "$command"
 [ "$kind" = frames ] || "$rectray" join "$to"/*.png -o "$to.png"
