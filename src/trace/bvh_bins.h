@@ -15,11 +15,10 @@ typedef struct Binning {
 /* middles: around the middles of the boxes. */
 Binning binning_of(const Bounds *middles);
 
-static inline int binning_bin(const Binning *binning, const Bounds *box, int axis)
+/* Where a box's middle lies among the bins of an axis whose scale is not 0: bin b is from b to b + 1. */
+static inline float binning_place(const Binning *binning, const Bounds *box, int axis)
 {
-    float middle = box->least[axis] - box->least[4 + axis];
-    int bin = (int)((middle - binning->low[axis]) * binning->scale[axis]);
-    return bin < BVH_BINS ? bin : BVH_BINS - 1;
+    return (box->least[axis] - box->least[4 + axis] - binning->low[axis]) * binning->scale[axis];
 }
 
 typedef struct Bins {

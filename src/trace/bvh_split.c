@@ -59,16 +59,18 @@ static void part_large(BvhFaces faces, int large, double large_area, BoundsRange
 /* Puts the left side's faces first; returns how many they are. */
 static int partition(BvhFaces faces, const Binning *binning, Split split, BoundsRange sides[2])
 {
+    const float end = (float)(split.bin + 1);
     BoundsRange low = bounds_range_empty(), high = bounds_range_empty();
     int left = 0, right = faces.count;
     while (left < right) {
-        Bounds box = faces.boxes[left], middle = bounds_middle(&box);
-        if (binning_bin(binning, &box, split.axis) <= split.bin) {
-            bounds_grow(&low.boxes, &box);
+        const Bounds *box = &faces.boxes[left];
+        Bounds middle = bounds_middle(box);
+        if (binning_place(binning, box, split.axis) < end) {
+            bounds_grow(&low.boxes, box);
             bounds_grow(&low.middles, &middle);
             left++;
         } else {
-            bounds_grow_before(&high.boxes, &box);
+            bounds_grow_before(&high.boxes, box);
             bounds_grow_before(&high.middles, &middle);
             swap_faces(faces, left, --right);
         }
