@@ -88,6 +88,10 @@ class Gpu(ShimTest):
         for items, group in launches:
             self.assertEqual((int(items) % 64, group), (0, "64"))
 
+    def test_a_picture_takes_few_launches_on_a_fast_device(self):
+        self.pixels("scene.json", "--sampling", "uniform:1", "--size", "1920x1080", SHIM_GPU="1", SHIM_SPEED="1000",
+                    SHIM_LOG=self.path("log"))
+        self.assertLessEqual(sum(line.startswith("LAUNCH") for line in self.log()), 8)
 
     def kernel_used(self, *words, **settings):
         out, _ = self.run_program("render", "scene.json", "-q", "--stats=json", "-o", "a.png", *words,
