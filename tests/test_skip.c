@@ -285,7 +285,7 @@ static void small_scene_should_need_no_tree(void)
 static int closed_faces(void)
 {
     unsigned char closed[SMALL_SCENE_MAX] = {0};
-    skip_closed_boxes(&small.scene, closed);
+    skip_closed_boxes(&small.scene, closed, 0);
     int count = 0;
     for (int i = 0; i < SMALL_SCENE_MAX; i++)
         count += closed[i] != 0;
@@ -371,6 +371,38 @@ static void backs_should_be_asked_where_rounding_makes_them_as_near_as_the_front
     }
 }
 
+/* Threads search the faces in pieces, and a box may lie across the end of one. */
+static void boxes_of_a_long_row_should_be_found_wherever_they_begin(void)
+{
+    enum { BOXES = 5000 };
+    add_box(small_scene_material(&small, MATT), vec3(-2, -2, -8), vec3(2, 2, -4));
+    const int count = BOXES * BOX_FACES + BOX_FACES;
+    Scene row = small.scene;
+    row.faces = malloc((size_t)count * sizeof *row.faces);
+    row.planes = malloc((size_t)count * sizeof *row.planes);
+    unsigned char *closed = malloc((size_t)count);
+    TEST_ASSERT_TRUE(row.faces && row.planes && closed);
+    for (int before = 0; before < BOX_FACES; before++) {
+        row.face_count = before + BOXES * BOX_FACES;
+        for (int i = 0; i < row.face_count; i++) {
+            int side = i < before ? 0 : (i - before) % BOX_FACES, box = i < before ? -1 : (i - before) / BOX_FACES;
+            row.faces[i] = small.scene.faces[side];
+            row.planes[i] = small.scene.planes[side];
+            for (int k = 0; k < 4; k++)
+                row.faces[i].vertices[k][2] -= (float)(10 * box);
+        }
+        for (int threads = 1; threads <= 3; threads += 2) {
+            memset(closed, 0, (size_t)count);
+            skip_closed_boxes(&row, closed, threads);
+            for (int i = 0; i < row.face_count; i++)
+                TEST_ASSERT_EQUAL_INT_MESSAGE(i >= before, closed[i] != 0, "a face of a box");
+        }
+    }
+    free(row.faces);
+    free(row.planes);
+    free(closed);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -390,5 +422,6 @@ int main(void)
     RUN_TEST(box_should_be_closed_only_if_it_is_whole_and_two_sided_and_nothing_is_inside);
     RUN_TEST(box_too_thin_for_rounding_should_not_be_closed);
     RUN_TEST(backs_should_be_asked_where_rounding_makes_them_as_near_as_the_front);
+    RUN_TEST(boxes_of_a_long_row_should_be_found_wherever_they_begin);
     return UNITY_END();
 }

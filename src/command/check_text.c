@@ -169,7 +169,7 @@ bool check_report_make(CheckReport *report, const char *path, const Scene *scene
     unsigned char *closed = calloc((size_t)scene->face_count + 1, 1);
     if (!closed)
         return error_memory(error, "the boxes of the scene");
-    skip_closed_boxes(scene, closed);
+    skip_closed_boxes(scene, closed, 0);
     for (int i = 0; i < scene->face_count; i++)
         report->closed += closed[i] != 0;
     free(closed);

@@ -80,7 +80,7 @@ unsigned char *opencl_closed_boxes(const Scene *scene, const RenderSettings *set
     if (!closed)
         error_memory(error, "the boxes of the scene");
     else if (skip_wanted(settings, SKIP_BACK_FACE))
-        skip_closed_boxes(scene, closed);
+        skip_closed_boxes(scene, closed, settings->threads);
     return closed;
 }
 

@@ -2,6 +2,8 @@
  * rounded: the sides of a box are compared as the numbers that they are. */
 #include "trace/skip.h"
 
+#include "base/parallel.h"
+
 #include <string.h>
 
 const SkipText skip_texts[SKIP_KINDS] = {
@@ -111,12 +113,43 @@ static bool is_closed_box(const Scene *scene, int first, unsigned char *sides)
     return true;
 }
 
-void skip_closed_boxes(const Scene *scene, unsigned char *closed)
+/* Threads search pieces of so many faces. */
+enum { PIECE = 2048 * BOX_FACES };
+
+typedef struct Search {
+    const Scene *scene;
+    unsigned char *closed;
+} Search;
+
+/* Marks the boxes that lie within the faces [first, end) and share no face with a box that is marked. */
+static void mark_boxes(const Search *search, int first, int end)
 {
+    static const unsigned char unmarked[BOX_FACES];
     unsigned char sides[BOX_FACES];
-    for (int i = 0; i + BOX_FACES <= scene->face_count; i++)
-        if (is_closed_box(scene, i, sides)) {
-            memcpy(closed + i, sides, BOX_FACES);
+    for (int i = first; i + BOX_FACES <= end; i++) {
+        unsigned char *closed = search->closed + i;
+        if (memcmp(closed, unmarked, BOX_FACES) == 0 && is_closed_box(search->scene, i, sides)) {
+            memcpy(closed, sides, BOX_FACES);
             i += BOX_FACES - 1;
         }
+    }
+}
+
+static void search_piece(void *data, int piece, int thread)
+{
+    const Search *search = data;
+    int first = piece * PIECE, left = search->scene->face_count - first;
+    (void)thread;
+    mark_boxes(search, first, first + (left < PIECE ? left : PIECE));
+}
+
+void skip_closed_boxes(const Scene *scene, unsigned char *closed, int threads)
+{
+    Search search = {scene, closed};
+    int pieces = scene->face_count / PIECE + 1;
+    parallel_for(threads, pieces, search_piece, &search);
+    for (int piece = 1; piece < pieces; piece++) { /* boxes of which two pieces have a part each */
+        int left = scene->face_count - piece * PIECE, after = left < BOX_FACES - 1 ? left : BOX_FACES - 1;
+        mark_boxes(&search, piece * PIECE - (BOX_FACES - 1), piece * PIECE + after);
+    }
 }

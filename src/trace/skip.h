@@ -19,7 +19,8 @@ bool skip_wanted(const RenderSettings *settings, int skip);
 /* Marks the faces of closed boxes: six two-sided faces in a row in the scene, flat across the axes, that enclose a box
  * which the camera and all lights are outside of. A ray from outside meets a front of it before, or at, any back.
  * closed: one per face, zeroed by the caller: 1 + 2 axis for the low side of a box, one more for the high one.
+ * threads: as parallel_threads wants them; the marks do not depend on them.
  * docs/bounds.md has the proof that backs need not be asked. */
-void skip_closed_boxes(const Scene *scene, unsigned char *closed);
+void skip_closed_boxes(const Scene *scene, unsigned char *closed, int threads);
 
 #endif
