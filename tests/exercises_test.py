@@ -59,6 +59,12 @@ def run_json(number, *words):
     return status, json.loads(out) if out else said
 
 
+def code_lines(path):
+    """The lines without comments, blanks and blank lines."""
+    text = re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.S)
+    return [line.strip() for line in text.splitlines() if line.strip()]
+
+
 class Exercises(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -83,6 +89,13 @@ class Exercises(unittest.TestCase):
                 self.assertEqual((status, result["status"]), (1, "failed"), result)
                 self.assertEqual(result["failure"]["test"], result["tests"][0]["name"])
                 self.assertNotIn("slip", result["failure"])
+
+    def test_the_stub_of_the_kernel_is_ours_but_for_the_student_s_lines(self):
+        stub = code_lines(ROOT / "docs/exercises/10-kernel/kernel.cl")
+        ours = code_lines(ROOT / "kernels/plain.cl")
+        empty = ["return (Ray){(wide3)0, (wide3)0, 0};", "return (real3)0;", "picture[3 * place + i] = 0;",
+                 "return total;"]
+        self.assertEqual([line for line in stub if line not in ours and line not in empty], [])
 
     def test_our_own_functions_pass(self):
         for number in NUMBERS:

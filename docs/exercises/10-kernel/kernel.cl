@@ -154,7 +154,7 @@ static void add_counts(volatile global uint *totals, const Scene *scene)
             atomic_add(totals + get_global_id(0) % COUNTER_STRIPES * COUNTER_STRIDE + kind, scene->counts[kind]);
 }
 
-/* A work-item is a pixel of the band of rows that this launch renders. */
+/* A work-item is a pixel of the band that this launch renders. */
 kernel void render(constant Parameters *parameters, global const FaceRecord *faces, global const real *face_rows,
                    global const wide *planes, global const real *materials, global const real *lights,
                    global const real *view, global uchar *picture, volatile global uint *totals,
@@ -162,13 +162,14 @@ kernel void render(constant Parameters *parameters, global const FaceRecord *fac
 {
     Scene scene = {parameters, faces, face_rows, planes, materials, lights, view, tree_floats, tree_ints, {0}};
     int pixel = (int)get_global_id(0), grid = parameters->grid;
-    int column = pixel % parameters->columns, row = pixel / parameters->columns;
+    int column = pixel % parameters->band_columns, row = pixel / parameters->band_columns;
     if (row >= parameters->band_rows)
         return; /* the last group may have more work-items than there are pixels */
     real3 sum = (real3)0;
     for (int j = 0; j < grid; j++)
         for (int i = 0; i < grid; i++)
-            sum += trace_path(&scene, primary_ray(&scene, column, parameters->first_row + row, i, j));
+            sum += trace_path(&scene, primary_ray(&scene, parameters->first_column + column,
+                                                  parameters->first_row + row, i, j));
     store_pixel(picture, pixel, sum / (real)(grid * grid));
     scene.counts[COUNT_PRIMARY] = grid * grid;
     add_counts(totals, &scene);
