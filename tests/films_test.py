@@ -150,7 +150,7 @@ class Frame(Films):
 
     def test_what_does_not_exist(self):
         for number, reason in (("8", "there is no frame 8: those of moving.json are 0 to 7"),
-                               ("-1", ""), ("1.5", "frame '1.5': expected a whole number from 0 on")):
+                               ("-1", ""), ("1.5", "frame '1.5': expected a whole number from 0 to 999999")):
             self.assertIn(reason, self.run_program("frame", "moving.json", number, status=2)[1])
         _, err = self.run_program("check", "scene.json", "--frame", "0", status=2)
         self.assertEqual(err, 'rectray: there is no frame 0: scene.json has no "animation"\n')

@@ -23,7 +23,8 @@ bool command_frame(const Options *options, Error *error)
 {
     Options own = *options;
     if (!option_set_frame(&own, options->operands[1]))
-        return error_set(error, ERROR_USAGE, "frame '%s': expected a whole number from 0 on", options->operands[1]);
+        return error_set(error, ERROR_USAGE, "frame '%s': expected a whole number from 0 to 999999",
+                         options->operands[1]);
     char *text = scene_open_frame(&own, error);
     bool done = text != NULL;
     if (done && options->output && strcmp(options->output, "-") != 0)

@@ -70,7 +70,7 @@ const Option option_table[] = {
      "any value of the file, such as lights[0].diffuse[2]=1",
      OWN(option_set_value), .expects = "a path and a value, such as materials.pink.reflection=0.5"},
     {"frame", 0, "K", "render trace cast check tree grade", "of a scene that moves: frame K (default 0)",
-     OWN(option_set_frame), .expects = "a whole number from 0 on"},
+     OWN(option_set_frame), .expects = "a whole number from 0 to 999999"},
     {"frames", 0, "A-B", "render", "frames A to B, or all, to -o 'frame-%04d.png' or film.mp4",
      OWN(option_set_frames), .expects = "two whole numbers, such as 0-119, or all"},
     {"resume", 0, NULL, "render", "with --frames: leave out the frames that are there and whole", FLAG(resume)},
