@@ -350,7 +350,8 @@ static void assert_whole_tiles_change_nothing(const char *path, int columns, int
         Picture without = render(&scene, BACKEND_OPENCL, settings);
         TEST_ASSERT_EQUAL_MEMORY_MESSAGE(without.rgb, with.rgb, picture_bytes(&with), path);
         TEST_ASSERT_EQUAL_UINT64_MESSAGE(without.report.rays.shadow, with.report.rays.shadow, path);
-        TEST_ASSERT_GREATER_THAN_UINT64_MESSAGE(0, with.report.skipped[SKIP_WHOLE_TILE], path);
+        if (with.report.lanes > 1) /* a device that traces one ray at a time has no tiles */
+            TEST_ASSERT_GREATER_THAN_UINT64_MESSAGE(0, with.report.skipped[SKIP_WHOLE_TILE], path);
         free(with.rgb);
         free(without.rgb);
     }

@@ -16,7 +16,7 @@ RANDOM_COMPARE := $(BUILD)/compare_scenes
 # Programs that a script runs beside rectray.
 SCRIPT_TEST_PROGRAMS := $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS)) \
     $(if $(filter %/faults_test.py,$(SCRIPT_TESTS)),$(FAULTS)) \
-    $(if $(filter %/devices_test.py,$(SCRIPT_TESTS)),$(SHIM)) \
+    $(if $(filter %/devices_test.py %/gpu_check_test.py,$(SCRIPT_TESTS)),$(SHIM)) \
     $(if $(filter %/random_scenes_test.sh,$(SCRIPT_TESTS)),$(RANDOM_COMPARE))
 
 STRESS_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/stress/*.c)) $(BUILD)/tests/support/oracle.o

@@ -1,10 +1,15 @@
 """What a machine with a GPU can say of the kernel for GPUs, in at most 8 minutes: `rectray devices --check`, the suites
 that render, a short stress suite, and a ladder of scenes on the GPU, on the processor and by the reference. Nothing is
-fetched; what is missing is told. Results: build/gpu-check.json and build/gpu-check.md.
-Usage: check.py RECTRAY [SHIM]    SHIM: OpenCL's first device poses as a GPU, to try this script without one"""
+fetched. Each step has a budget, and what is missing or did not fit is told. Whatever happens, the results are written:
+OUT.json and OUT.md, build/gpu-check by default.
+Usage: check.py [--pose SHIM] [--seconds N] [--out OUT] RECTRAY
+    --pose      OpenCL's first device poses as a GPU, to try this script without one
+    --seconds   how long it may take"""
+import argparse
 import glob
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -12,7 +17,8 @@ import time
 
 import bandwidth
 
-SECONDS = 8 * 60
+SECONDS, RESERVE = 8 * 60, 2  # RESERVE: to write the results
+MOST = {"list": 20, "check": 120, "bandwidth": 20, "suite": 75, "scene": 15, "picture": 30}  # seconds for a step
 LADDER = {
     "original": ["scenes/original.json"],
     "cornell": ["scenes/cornell.json"],
@@ -28,36 +34,52 @@ NODE_BYTES, NODE_BOXES, FACE_BYTES, PIXEL_BYTES = 112, 4, 64, 3
 
 
 class Check:
-    def __init__(self, rectray, shim):
-        self.rectray, self.shim = rectray, shim
-        self.begun = time.monotonic()
-        self.found = {"missing": [], "ladder": [], "suites": {}}
+    def __init__(self, options):
+        self.rectray, self.shim = os.path.abspath(options.rectray), options.pose and os.path.abspath(options.pose)
+        self.seconds, self.begun = options.seconds, time.monotonic()
+        self.out = options.out or os.path.join(os.path.dirname(self.rectray), "gpu-check")
+        self.found = {"posed": bool(self.shim), "check": None, "bandwidth": None, "missing": [], "ladder": [],
+                      "suites": {}}
 
     def left(self):
-        return SECONDS - (time.monotonic() - self.begun)
+        return self.seconds - RESERVE - (time.monotonic() - self.begun)
 
     def miss(self, what):
         print(f"missing: {what}", flush=True)
         self.found["missing"].append(what)
 
-    def run(self, words, most, **environment):
-        """The finished command; None where it took too long or time is up."""
-        allowed = min(most, self.left() - 5)
+    def run(self, name, words, most, **environment):
+        """The finished command; None where it took too long or time is up. name: what is told then."""
+        allowed = min(most, self.left())
         if allowed <= 0:
-            self.miss(f"{' '.join(words[:4])}: the {SECONDS // 60} minutes are over")
+            self.miss(f"{name}: the {self.seconds:g} seconds are over")
             return None
         try:
             return subprocess.run(words, capture_output=True, text=True, timeout=allowed, check=False,
                                   env=dict(os.environ, **environment))
         except subprocess.TimeoutExpired:
-            self.miss(f"{' '.join(words[:4])}: not done after {allowed:.0f} s")
+            self.miss(f"{name}: not done after {allowed:.0f} s")
+        except OSError as error:
+            self.miss(f"{name}: {error.strerror}")
+        return None
+
+    def report(self, name, words, most, **environment):
+        """What the command tells as JSON; None where it tells nothing."""
+        done = self.run(name, words, most, **environment)
+        if done is None:
+            return None
+        try:
+            return json.loads(done.stdout)
+        except ValueError:
+            why = (done.stderr.strip() or "it tells nothing").splitlines()[-1]
+            self.miss(f"{name}: status {done.returncode}, {why}")
             return None
 
     # --- Devices ---
 
     def listed(self, **environment):
-        done = self.run([self.rectray, "devices", "--json"], 60, **environment)
-        return json.loads(done.stdout)["devices"] if done and done.returncode == 0 else []
+        report = self.report("the list of devices", [self.rectray, "devices", "--json"], MOST["list"], **environment)
+        return report["devices"] if report else []
 
     def find_gpu(self):
         """The environment in which a GPU is device 0, and in which PoCL is; None: there is none."""
@@ -73,23 +95,23 @@ class Check:
         return gpu, cpu
 
     def check_device(self, gpu):
-        done = self.run([self.rectray, "devices", "--check", "0", "--json"], 150, **gpu)
-        self.found["check"] = json.loads(done.stdout) if done and done.stdout else None
+        words = [self.rectray, "devices", "--check", "0", "--json"]
+        self.found["check"] = self.report("devices --check", words, MOST["check"], **gpu)
         if self.found["check"]:
             print(f"devices --check: {self.found['check']['verdict']}", flush=True)
 
     def measure_bandwidth(self, gpu):
         """In a process of its own: a loader reads its environment once."""
-        done = self.run([sys.executable, bandwidth.__file__], 30, **gpu)
+        done = self.run("the peak bandwidth", [sys.executable, bandwidth.__file__], MOST["bandwidth"], **gpu)
         if done and done.returncode == 0:
             self.found["bandwidth"] = float(done.stdout)
-        else:
+        elif done:
             self.miss("the peak bandwidth, which decides nothing else")
 
     # --- Suites ---
 
-    def suite(self, name, words, most, gpu):
-        done = self.run(words, most, **gpu)
+    def suite(self, name, words, gpu):
+        done = self.run(f"suite {name}", words, MOST["suite"], **gpu)
         passed = None if done is None else done.returncode == 0
         self.found["suites"][name] = {"passed": passed, "end": "" if done is None else done.stdout[-300:]}
         print(f"{name}: {'not done' if passed is None else 'passed' if passed else 'FAILED'}", flush=True)
@@ -98,31 +120,35 @@ class Check:
         for name in ("gpu", "backends"):
             program = os.path.join(os.path.dirname(self.rectray), "tests", f"test_{name}")
             if os.path.exists(program):
-                self.suite(name, [program], 120, gpu)
+                self.suite(name, [program], gpu)
             else:
                 self.miss(f"the suite {name}, which was not built: Unity, or a compiler for it, is not there")
         stress = os.path.join(os.path.dirname(self.rectray), "stress")
         if os.path.exists(stress):
-            self.suite("stress", [stress, "--seed", "1", "--scale", "0.02"], 90, gpu)
+            self.suite("stress", [stress, "--seed", "1", "--scale", "0.02"], gpu)
         else:
             self.miss("the stress suite, which was not built: it needs GMP (libgmp-dev)")
 
     # --- The ladder ---
 
-    def measure(self, scene, size, words, environment, repeats):
-        """The report of the quickest picture."""
-        best = None
+    def measure(self, name, words, environment, repeats):
+        """The report of the quickest picture, of as many as fit into the budget."""
+        best, begun = None, time.monotonic()
         for _ in range(repeats):
-            done = self.run([self.rectray, "render", scene, "-q", "--stats=json", "--size", size, "--sampling",
-                             "uniform:1", *words, "-o", self.picture], 60, **environment)
-            if done is None or done.returncode:
-                return best
-            report = json.loads(done.stdout)
+            report = self.report(name, [self.rectray, "render", *words, "-q", "--stats=json", "--sampling",
+                                        "uniform:1", "-o", self.picture], MOST["picture"], **environment)
+            if report is None:
+                break
             if best is None or report["phases_ms"]["trace"] < best["phases_ms"]["trace"]:
                 best = report
+            if time.monotonic() - begun > MOST["scene"]:
+                break
         return best
 
-    def row(self, name, who, size, report, peak):
+    def row(self, name, who, words, environment):
+        size, repeats = (SMALL, 1) if who == "reference" else (SIZE, REPEATS)
+        report = self.measure(f"{name}, {who}", [*words, "--size", size], environment, repeats)
+        peak = self.found["bandwidth"]
         if report is None:
             return
         ms, columns, rows = report["phases_ms"]["trace"], *(int(number) for number in size.split("x"))
@@ -138,16 +164,16 @@ class Check:
 
     def ladder(self, gpu, cpu, folder):
         self.picture = os.path.join(folder, "a.png")
-        peak = self.found["bandwidth"]
         for name, made in LADDER.items():
             scene = made[0]
             if len(made) > 1:
                 scene = os.path.join(folder, f"{made[0]}.json")
-                self.run([self.rectray, "generate", made[0], "--size", made[1], "-o", scene], 60)
-            self.row(name, "GPU", SIZE, self.measure(scene, SIZE, ["--accel", "bvh"], gpu, REPEATS), peak)
+                self.run(f"{name}, the scene", [self.rectray, "generate", made[0], "--size", made[1], "-o", scene],
+                         MOST["scene"])
+            self.row(name, "GPU", [scene, "--accel", "bvh"], gpu)
             if cpu is not None:
-                self.row(name, "processor", SIZE, self.measure(scene, SIZE, [], cpu, REPEATS), peak)
-            self.row(name, "reference", SMALL, self.measure(scene, SMALL, ["--backend", "reference"], {}, 1), peak)
+                self.row(name, "processor", [scene], cpu)
+            self.row(name, "reference", [scene, "--backend", "reference"], {})
 
     # --- All of it ---
 
@@ -171,32 +197,47 @@ class Check:
         return "\n".join(lines) + "\n"
 
     def write(self):
-        base = os.path.join(os.path.dirname(self.rectray), "gpu-check")
         self.found["seconds"] = round(time.monotonic() - self.begun)
-        with open(base + ".json", "w", encoding="utf-8") as file:
+        with open(self.out + ".json", "w", encoding="utf-8") as file:
             json.dump(self.found, file, indent=1)
-        with open(base + ".md", "w", encoding="utf-8") as file:
+        with open(self.out + ".md", "w", encoding="utf-8") as file:
             file.write(self.markdown())
-        print(f"\n{self.markdown()}\nThe results are {base}.json and {base}.md ({self.found['seconds']} s)")
+        print(f"\n{self.markdown()}\nThe results are {self.out}.json and {self.out}.md ({self.found['seconds']} s)")
 
-    def all(self):
+    def steps(self):
         gpu, cpu = self.find_gpu()
-        self.found.update(check=None, bandwidth=None, posed=bool(self.shim))
         if gpu is None:
             self.miss("a GPU: OpenCL lists none. `rectray devices` shows what there is")
-            self.write()
-            return 1
+            return
         os.environ["RECTRAY_CACHE_DIR"] = os.path.join(os.path.dirname(self.rectray), "gpu-check-cache")
         self.check_device(gpu)
+        self.suites(gpu)
         self.measure_bandwidth(gpu)
         with tempfile.TemporaryDirectory() as folder:
             self.ladder(gpu, cpu, folder)
-        self.suites(gpu)
-        self.write()
+
+    def all(self):
+        try:
+            self.steps()
+        finally:
+            self.write()
         right = self.found["check"] and self.found["check"]["wrong"] == 0
-        failed = any(suite["passed"] is False for suite in self.found["suites"].values())
-        return 0 if right and not failed else 1
+        return 0 if right and all(suite["passed"] is not False for suite in self.found["suites"].values()) else 1
+
+
+def stop(number, _):
+    sys.exit(128 + number)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("rectray")
+    parser.add_argument("--pose")
+    parser.add_argument("--seconds", type=float, default=SECONDS)
+    parser.add_argument("--out")
+    signal.signal(signal.SIGTERM, stop)
+    sys.exit(Check(parser.parse_args()).all())
 
 
 if __name__ == "__main__":
-    sys.exit(Check(os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else None).all())
+    main()
