@@ -8,12 +8,13 @@ static float3 sum_of_pixel(Scene *scene, global const uint *entry, int first_row
     constant const Parameters *p = scene->parameters;
     int pixel = (int)entry[DOUBT_PIXEL];
     int column = p->first_column + pixel % p->band_columns, row = first_row + pixel / p->band_columns;
-    int samples = p->grid * p->grid, each = samples_per_share(samples);
+    int samples = sample_count(p), each = samples_per_share(samples);
     float3 sum = as_float3(vload3(0, entry + DOUBT_SUM));
     for (int k = 0; k < samples; k++) {
         int share = k / each;
         if (entry[DOUBT_SHARE_BITS + share / 32] >> share % 32 & 1) {
-            sum += trace_path(scene, primary_ray(scene, column, row, k % p->grid, k / p->grid));
+            int2 at = place_of_sample(p, k);
+            sum += trace_path(scene, primary_ray(scene, column, row, at.x, at.y));
             scene->counts[COUNT_PRIMARY]++;
         }
     }
@@ -31,7 +32,7 @@ kernel void render_doubts(constant Parameters *parameters, global const FaceReco
     for (uint i = (uint)get_global_id(0); i < *doubt_count; i += (uint)get_global_size(0)) {
         global const uint *entry = doubts + (size_t)i * DOUBT_WORDS;
         float3 sum = sum_of_pixel(&scene, entry, first_row);
-        store_pixel(picture, entry[DOUBT_PIXEL], sum / (parameters->grid * parameters->grid));
+        store_pixel(picture, entry[DOUBT_PIXEL], sum / sample_count(parameters));
     }
     add_counts(totals, &scene);
 }

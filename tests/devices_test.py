@@ -81,17 +81,27 @@ class Gpu(ShimTest):
     def test_items_come_in_groups_of_64(self):
         out, _ = self.run_program("devices", env=self.environment(SHIM_GPU="1"))
         self.assertRegex(out.decode(), r"\A0: .* \(GPU\)\n(   .*\n)*   rays at once   1 in float, 1 in double\n")
-        for words in ([], ["--sampling", "uniform:2"], ["--kernel", "plain", "--sampling", "uniform:1"]):
+        for words in ([], ["--sampling", "uniform:2"], ["--kernel", "plain", "--sampling", "uniform:1"],
+                      ["--kernel", "packet", "--sampling", "adaptive:4"]):
             self.pixels("scene.json", *words, SHIM_GPU="1", SHIM_LOG=self.path("log"))
         launches = [line.split()[1:] for line in self.log() if line.startswith("LAUNCH")]
         self.assertGreaterEqual(len(launches), 3)
         for items, group in launches:
             self.assertEqual((int(items) % 64, group), (0, "64"))
 
+    def launches(self, *words):
+        """How many a picture of 1920x1080 takes on a fast device."""
+        self.run_program("render", "scene.json", "-q", "-o", "a.png", "--size", "1920x1080", *words,
+                         env=self.environment(SHIM_GPU="1", SHIM_SPEED="1000", SHIM_LOG=self.path("log")))
+        return sum(line.startswith("LAUNCH") for line in self.log())
+
     def test_a_picture_takes_few_launches_on_a_fast_device(self):
-        self.pixels("scene.json", "--sampling", "uniform:1", "--size", "1920x1080", SHIM_GPU="1", SHIM_SPEED="1000",
-                    SHIM_LOG=self.path("log"))
-        self.assertLessEqual(sum(line.startswith("LAUNCH") for line in self.log()), 8)
+        self.assertLessEqual(self.launches("--sampling", "uniform:1"), 8)
+
+    def test_adaptive_sampling_takes_five_launches_a_band(self):
+        launches = self.launches("--sampling", "adaptive:8")
+        self.assertEqual(launches % 5, 0)
+        self.assertLessEqual(launches, 5 + 5 * 5)  # the first five compile
 
     def kernel_used(self, *words, **settings):
         out, _ = self.run_program("render", "scene.json", "-q", "--stats=json", "-o", "a.png", *words,
@@ -102,7 +112,9 @@ class Gpu(ShimTest):
         uniform = ["--sampling", "uniform:1"]
         for words, kernel in ((uniform, "gpu"), (uniform + ["--lanes", "1"], "packet"),
                               (uniform + ["--kernel", "packet"], "packet"), (uniform + ["-p", "double"], "packet"),
-                              (["--sampling", "adaptive:4"], "packet")):
+                              (["--sampling", "adaptive:4"], "gpu"),
+                              (["--sampling", "adaptive:4", "--lanes", "1"], "packet"),
+                              (["--sampling", "adaptive:4", "-p", "double"], "packet")):
             self.assertEqual(self.kernel_used(*words, SHIM_GPU="1"), kernel, words)
         self.assertEqual(self.kernel_used(*uniform), "packet")
         self.assertEqual(self.kernel_used(*uniform, "--kernel", "gpu"), "gpu")
@@ -211,7 +223,8 @@ class Frames(ShimTest):
 
 class Check(ShimTest):
     """`rectray devices --check`."""
-    KERNELS = ["packet, float", "packet, double", "plain, float", "gpu, float", "adaptive, float", "cast, float"]
+    KERNELS = ["packet, float", "packet, double", "plain, float", "gpu, float", "adaptive, float",
+               "gpu adaptive, float", "cast, float"]
 
     def check_device(self, *words, status=0, **options):
         out, err = self.run_program("devices", "--check", "--json", *words, status=status, **options)
@@ -237,7 +250,7 @@ class Check(ShimTest):
         *rows, last = out.decode().splitlines()
         self.assertEqual(last, "verdict: right")
         steps = [row for row in rows if " compiled in " in row]
-        self.assertEqual(len(steps), 12)
+        self.assertEqual(len(steps), 14)
         for step in steps:
             self.assertRegex(step, r" compiled in +\d+ ms, traced in +\d+\.\d ms, [01] of 3072 off$")
         self.assertTrue(any(row.startswith("0: ") for row in rows))
@@ -245,7 +258,7 @@ class Check(ShimTest):
     def test_without_double_it_says_so(self):
         found, _ = self.check_device(env=self.environment(SHIM_NO_DOUBLE="1"))
         self.assertEqual((found["verdict"], found["device"]["double"]), ("right without double", False))
-        self.assertEqual(len(found["steps"]), 10)
+        self.assertEqual(len(found["steps"]), 12)
 
     def test_a_kernel_that_is_wrong_is_found(self):
         shutil.copytree(os.path.join(ROOT, "kernels"), self.path("kernels"))
@@ -261,7 +274,7 @@ class Check(ShimTest):
             wrong = step["kernel"].startswith("plain")
             self.assertEqual(step["right"], not wrong, step)
             self.assertEqual(step["off"] > 1000 and 10 < step["most_off"] <= 15, wrong, step)
-        self.assertRegex(err, r"^rectray: device 0 is wrong in [2-4] of 12 checks; docs/devices.md tells what to do")
+        self.assertRegex(err, r"^rectray: device 0 is wrong in [2-6] of 14 checks; docs/devices.md tells what to do")
 
     def test_a_compiler_that_fails_is_told_for_each_kernel(self):
         found, err = self.check_device(status=3, env=self.environment(SHIM_BUILD="refused"))
@@ -269,10 +282,10 @@ class Check(ShimTest):
         for step in found["steps"]:
             self.assertFalse(step["ran"] or step["right"])
             self.assertIn("the kernels do not compile for ", step["message"])
-        self.assertIn("is wrong in 12 of 12 checks", err)
+        self.assertIn("is wrong in 14 of 14 checks", err)
         out, _ = self.run_program("devices", "--check", status=3, env=self.environment(SHIM_BUILD="refused"))
-        self.assertEqual(out.count(b" FAILED: the kernels do not compile"), 12)
-        self.assertIn(b"verdict: wrong in 12 of 12 checks", out)
+        self.assertEqual(out.count(b" FAILED: the kernels do not compile"), 14)
+        self.assertIn(b"verdict: wrong in 14 of 14 checks", out)
 
     def test_devices_are_chosen_by_number(self):
         every, one = (self.run_program("devices", *words)[0].decode() for words in ([], ["0"]))

@@ -173,7 +173,8 @@ class Opencl(FaultTest):
         self.every("devices")
 
     def test_render(self):
-        for words in ([], ["--sampling", "adaptive:2"], ["--kernel", "gpu", "--grid", "1"]):
+        for words in ([], ["--sampling", "adaptive:2"], ["--kernel", "gpu", "--grid", "1"],
+                      ["--kernel", "gpu", "--sampling", "adaptive:2"]):
             self.every("render", "scene.json", "--quiet", "-o", "a.png", *words)
 
     def test_render_without_kept_kernels(self):

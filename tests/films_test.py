@@ -224,7 +224,8 @@ class Frames(Films):
                         {"material": "pink", "sided": "front", "faces": [[0, 1, 2, 3]],
                          "vertices": [[-3, -3, -8], [3, -3, -8], [3, 3, -8], [-3, 3, -8]]}]}
         self.put("moving.json", json.dumps(scene))
-        for words in ([], ["--sampling", "adaptive:4"], ["--accel", "bvh", "--depth", "16"], ["--kernel", "gpu"]):
+        for words in ([], ["--sampling", "adaptive:4"], ["--accel", "bvh", "--depth", "16"], ["--kernel", "gpu"],
+                      ["--kernel", "gpu", "--sampling", "adaptive:4"]):
             self.run_program("render", "moving.json", "--frames", "all", "-o", "w%d.png", *words)
             for frame in (0, 3, 5, 8):
                 self.assertEqual(self.bytes_of(f"w{frame}.png"), self.single(frame, *words), f"{words} {frame}")

@@ -12,8 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const char *const ROOTS[] = {"tile/render.cl", "packet/render.cl", "packet/cast.cl", "adaptive/refine.cl",
-                                    "plain.cl",       "gpu.cl",           "gpu_exact.cl"};
+static const char *const ROOTS[] = {
+    "tile/render.cl", "packet/render.cl", "packet/cast.cl",  "adaptive/refine.cl",    "plain.cl",
+    "gpu.cl",         "gpu_exact.cl",     "gpu_adaptive.cl", "gpu_adaptive_exact.cl", "gpu_judge.cl"};
 enum { ROOT_COUNT = sizeof ROOTS / sizeof ROOTS[0] };
 static const char *const TREES[] = {"bvh", "kdtree", "all_faces"};
 

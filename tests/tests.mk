@@ -59,8 +59,8 @@ $(BUILD)/tests/test_scene_polygon: $(patsubst %,$(BUILD)/tests/support/%.o,cover
 $(patsubst %,$(BUILD)/tests/test_%,oracle truth convergence polygon_cut scene_polygon): LIBS += -lgmp
 
 $(patsubst %,$(BUILD)/tests/test_%,backends plain gpu): $(BUILD)/tests/support/near_edge.o
-$(patsubst %,$(BUILD)/tests/test_%,plain gpu textbook): $(BUILD)/tests/support/plain_picture.o
-$(patsubst %,$(BUILD)/tests/test_%,backends plain gpu textbook): LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
+$(patsubst %,$(BUILD)/tests/test_%,plain gpu gpu_adaptive textbook): $(BUILD)/tests/support/plain_picture.o
+$(patsubst %,$(BUILD)/tests/test_%,backends plain gpu gpu_adaptive textbook): LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
 
 $(BUILD)/tests/test_bvh: $(BUILD)/tests/support/plain_bvh.o
 

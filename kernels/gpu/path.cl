@@ -6,6 +6,7 @@
 #include "gpu/ray.cl"
 #include "gpu/face.cl"
 #include "gpu/search.cl"
+#include "gpu/trail.cl"
 
 /* Where the error of a hit point is a larger share of the distance to the light or to the viewer, it might be seen: an
  * angle of this size changes a diffuse term by a quarter of a byte's step. A highlight is steeper by the root of its
@@ -126,7 +127,7 @@ static FloatRay shadow_ray(const FloatHit *hit, float3 to, float distance)
 static void add_colour(local float *total, float3 colour) { vstore3(vload3(0, total) + colour, 0, total); }
 
 /* Steps 3 to 9: adds the sum of the hits' illuminations. False: the path is in doubt, and what it added worthless. */
-static bool trace_path(Scene *scene, FloatRay ray, local float *total)
+static bool trace_path(Scene *scene, FloatRay ray, Trail trail, local float *total)
 {
     constant const Parameters *p = scene->parameters;
     float weight = 1, end = INFINITY, end_error = 0;
@@ -137,6 +138,8 @@ static bool trace_path(Scene *scene, FloatRay ray, local float *total)
         Found found = search(scene, &ray, end, end_error);
         if (found.answer == UNSURE)
             return false;
+        if (light < 0)
+            keep_hit(trail, bounces, found.face);
         if (light < 0 && found.face < 0) {
             add_colour(total, weight * vload3(0, scene->view + VIEW_BACKGROUND));
             return true;

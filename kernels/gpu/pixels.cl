@@ -14,6 +14,15 @@ static int2 pixel_of_item(int columns)
                   group / across * GROUP_ACROSS + item / GROUP_ACROSS);
 }
 
+/* The samples of a pixel: a grid of them, or the lattice of render_adaptive, which has a generator. */
+static int sample_count(constant const Parameters *p) { return p->generator ? p->grid : p->grid * p->grid; }
+
+/* The sub-pixel of sample k. */
+static int2 place_of_sample(constant const Parameters *p, int k)
+{
+    return p->generator ? (int2)(k, k * p->generator % p->grid) : (int2)(k % p->grid, k / p->grid);
+}
+
 /* Samples of a pixel, in turn: as many shares as DOUBT_SHARES, or one for each sample where there are fewer. A share
  * with a sample in doubt is traced exactly as a whole. */
 static int samples_per_share(int samples) { return (samples + DOUBT_SHARES - 1) / DOUBT_SHARES; }
@@ -21,8 +30,7 @@ static int samples_per_share(int samples) { return (samples + DOUBT_SHARES - 1) 
 /* What a pixel's samples have summed up to. */
 typedef struct PixelSums {
     float sum[3];   /* of the shares that are sure */
-    float share[3]; /* of the samples of the last one */
-    int last;       /* this share */
+    float share[3]; /* of the samples of the share that is being traced */
     uint doubts[2]; /* a bit for each share in doubt */
 } PixelSums;
 
@@ -30,42 +38,41 @@ static void begin_sums(local PixelSums *sums)
 {
     vstore3((float3)0, 0, sums->sum);
     vstore3((float3)0, 0, sums->share);
-    sums->last = 0;
     sums->doubts[0] = sums->doubts[1] = 0;
-}
-
-/* Adds the last share to the sum, unless it is in doubt. */
-static void end_share(local PixelSums *sums)
-{
-    if (!(sums->doubts[sums->last / 32] >> sums->last % 32 & 1))
-        vstore3(vload3(0, sums->sum) + vload3(0, sums->share), 0, sums->sum);
-    vstore3((float3)0, 0, sums->share);
-}
-
-/* The next sample is one of that share. */
-static void begin_share(local PixelSums *sums, int share)
-{
-    if (share != sums->last)
-        end_share(sums);
-    sums->last = share;
 }
 
 static void doubt_share(local PixelSums *sums, int share) { sums->doubts[share / 32] |= 1u << share % 32; }
 
-/* Puts a pixel on the list of those in doubt. */
-static void store_doubt(volatile global uint *count, global uint *list, int pixel, local const PixelSums *sums)
+static bool is_in_doubt(local const PixelSums *sums, int share) { return sums->doubts[share / 32] >> share % 32 & 1; }
+
+/* Adds the share to the sum, unless it is in doubt. */
+static void end_share(local PixelSums *sums, int share)
 {
-    global uint *entry = list + (size_t)atomic_inc(count) * DOUBT_WORDS;
+    if (!is_in_doubt(sums, share))
+        vstore3(vload3(0, sums->sum) + vload3(0, sums->share), 0, sums->sum);
+    vstore3((float3)0, 0, sums->share);
+}
+
+/* A list with the number of its entries. */
+typedef struct DoubtList {
+    volatile global uint *count;
+    global uint *entries;
+} DoubtList;
+
+/* Puts a pixel on the list of those in doubt. */
+static void store_doubt(DoubtList list, int pixel, local const PixelSums *sums)
+{
+    global uint *entry = list.entries + (size_t)atomic_inc(list.count) * DOUBT_WORDS;
     entry[DOUBT_PIXEL] = (uint)pixel;
     entry[DOUBT_SHARE_BITS] = sums->doubts[0];
     entry[DOUBT_SHARE_BITS + 1] = sums->doubts[1];
     vstore3(as_uint3(vload3(0, sums->sum)), 0, entry + DOUBT_SUM);
 }
 
-/* Forgets the rays of a path in doubt. */
+/* Forgets the rays of a share in doubt. */
 static void forget_rays(Scene *scene)
 {
-    scene->counts[COUNT_SHADOW] = scene->counts[COUNT_REFLECTION] = 0;
+    scene->counts[COUNT_PRIMARY] = scene->counts[COUNT_SHADOW] = scene->counts[COUNT_REFLECTION] = 0;
     scene->counts[COUNT_SKIPPED + SKIP_LIGHT_BEHIND] = 0;
 }
 
@@ -98,4 +105,22 @@ static void store_colour(global uchar *picture, int pixel, float3 colour)
 #else
         picture[3 * (size_t)pixel + i] = (uchar)floor(255 * clamp(rgb[i], 0.0f, 1.0f) + 0.5f);
 #endif
+}
+
+/* Stores what the pixel's samples have summed up to, or leaves it to the exact pass. */
+static void store_sums(const Scene *scene, int pixel, local const PixelSums *sums, DoubtList list,
+                       global uchar *picture)
+{
+    if (sums->doubts[0] | sums->doubts[1])
+        store_doubt(list, pixel, sums);
+    else
+        store_colour(picture, pixel, vload3(0, sums->sum) / sample_count(scene->parameters));
+}
+
+/* Adds the counts of a group to those of all. To be called when its work-items are done. */
+static void add_group(volatile global uint *totals, volatile local uint *group)
+{
+    int item = (int)get_local_id(0);
+    if (item < COUNTER_KINDS && group[item])
+        atomic_add(totals + get_group_id(0) % COUNTER_STRIPES * COUNTER_STRIDE + item, group[item]);
 }

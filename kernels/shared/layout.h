@@ -34,7 +34,7 @@ typedef struct Parameters {
     int refine_first;   /* render_adaptive only: this launch refines the pixels of its list from here on, */
     int refine_count;   /* so many; 0: it renders the pixels' centres */
     int no_skip;        /* bit SKIP_...: that work is done although the scene does not need it */
-    int generator;      /* render_adaptive only: sample k of a refined pixel is in row k generator mod grid */
+    int generator;      /* adaptive sampling only, else 0: sample k of a refined pixel is in row k generator mod grid */
     float shift;        /* textbook arithmetic only: how far off its face a point is shifted */
 } Parameters;
 
@@ -124,6 +124,11 @@ enum {
     DOUBT_WORDS = 6,
     DOUBT_SHARES = 64
 };
+
+/* What gpu_adaptive.cl tells gpu_judge.cl of the path through a pixel's centre, in words of 4 bytes: how many hits it
+ * has, and their faces, in order. A last one of -1 says that it left the scene. Word k of all pixels of a band stands
+ * before word k + 1 of all of them. */
+enum { TRAIL_COUNT = 0, TRAIL_FACES = 1 };
 
 /* Counters. There are COUNTER_STRIPES copies, so that work-items seldom wait for one another. The host adds them up. */
 enum {

@@ -24,6 +24,7 @@ static const CheckedKernel kernels[] = {
     {"plain, float", PRECISION_FLOAT, KERNEL_PLAIN, false, false},
     {"gpu, float", PRECISION_FLOAT, KERNEL_GPU, false, false},
     {"adaptive, float", PRECISION_FLOAT, KERNEL_PACKET, true, false},
+    {"gpu adaptive, float", PRECISION_FLOAT, KERNEL_GPU, true, false},
     {"cast, float", PRECISION_FLOAT, KERNEL_PACKET, false, true},
 };
 

@@ -159,9 +159,9 @@ static bool check_settings(const Scene *scene, const RenderSettings *settings, E
     if ((plain || gpu) && settings->lanes > 1)
         return error_set(error, ERROR_USAGE,
                          "the %s kernel traces one ray per work-item; leave out --lanes, or use --kernel packet", name);
-    if ((plain || gpu) && scene->adaptive && scene->grid > 1)
+    if (plain && scene->adaptive && scene->grid > 1)
         return error_set(error, ERROR_USAGE,
-                         "the %s kernel does not sample adaptively; use --sampling uniform:N or --kernel packet", name);
+                         "the plain kernel does not sample adaptively; use --sampling uniform:N or --kernel packet");
     if (gpu && settings->precision == PRECISION_DOUBLE)
         return error_set(error, ERROR_USAGE, "the gpu kernel is float's; leave out --precision, or use --kernel plain");
     return true;

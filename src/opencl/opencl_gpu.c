@@ -1,74 +1,17 @@
-/* Rendering by kernels/gpu.cl. The queue works in order: of a band it writes zeros to the counters, traces in float,
- * traces exactly what is in doubt, and reads pixels and counters. */
+/* Rendering by kernels/gpu.cl, or adaptively by gpu_adaptive.cl. The queue works in order: of a band it writes zeros to
+ * the counters, launches the passes, and reads pixels and counters. */
 #include "opencl/opencl_gpu.h"
 
 #include "base/clock.h"
 #include "opencl/opencl_status.h"
-
-#include <string.h>
+#include "trace/adaptive.h"
 
 enum {
-    GROUP_ACROSS = 8, /* as in kernels/gpu/pixels.cl */
-    GROUP_ITEMS = GROUP_ACROSS * GROUP_ACROSS,
-    MOST_ITEMS = 1 << 20,     /* of a band: enough to fill a GPU, and its list of doubts takes 24 MiB */
-    FIRST_SAMPLES = 1 << 17,  /* of the first band: it takes under 100 ms on a small GPU */
-    GROWTH = 8,               /* a band is at most so many times as high as the one before */
-    EXACT_GROUPS_PER_UNIT = 8 /* groups of the exact pass */
+    FIRST_SAMPLES = 1 << 17, /* of the first band: it takes under 100 ms on a small GPU */
+    GROWTH = 8               /* a band is at most so many times as high as the one before */
 };
 
 #define BAND_MS 50.0 /* a band should take so long: some drivers end launches of a second */
-
-static size_t round_up(size_t count, size_t step)
-{
-    return (count + step - 1) / step * step;
-}
-
-/* --- Making it --- */
-
-static bool make_kernels(GpuPath *path, Error *error)
-{
-    const SceneOnDevice *scene = path->on_device;
-    cl_mem trace[] = {scene->parameters, scene->faces,      scene->face_rows,   scene->materials,
-                      scene->lights,     scene->view,       scene->tree_floats, scene->tree_ints,
-                      scene->counters,   path->doubt_count, path->doubts,       path->bands[0].pixels.device};
-    cl_mem exact[] = {scene->parameters,
-                      scene->faces,
-                      scene->face_rows,
-                      scene->planes,
-                      scene->materials,
-                      scene->lights,
-                      scene->view,
-                      scene->tree_floats,
-                      scene->tree_ints,
-                      scene->counters,
-                      path->doubt_count,
-                      path->doubts,
-                      path->bands[0].pixels.device};
-    path->trace = opencl_kernel(&path->session->programs[PROGRAM_MAIN], "render_float", trace,
-                                sizeof trace / sizeof trace[0], error);
-    path->exact = path->trace ? opencl_kernel(&path->session->programs[PROGRAM_EXACT], "render_doubts", exact,
-                                              sizeof exact / sizeof exact[0], error)
-                              : NULL;
-    return path->exact != NULL;
-}
-
-/* Arguments after the buffers: where the pixels go, and which rows they are. */
-enum { TRACE_PICTURE = 11, EXACT_PICTURE = 12 };
-
-static bool set_band(const GpuPath *path, const GpuBand *band, Error *error)
-{
-    cl_int first_row = band->of.first_row, rows = band->of.band_rows, status;
-    status = clSetKernelArg(path->trace, TRACE_PICTURE, sizeof(cl_mem), &band->pixels.device);
-    if (status == CL_SUCCESS)
-        status = clSetKernelArg(path->trace, TRACE_PICTURE + 1, sizeof first_row, &first_row);
-    if (status == CL_SUCCESS)
-        status = clSetKernelArg(path->trace, TRACE_PICTURE + 2, sizeof rows, &rows);
-    if (status == CL_SUCCESS)
-        status = clSetKernelArg(path->exact, EXACT_PICTURE, sizeof(cl_mem), &band->pixels.device);
-    if (status == CL_SUCCESS)
-        status = clSetKernelArg(path->exact, EXACT_PICTURE + 1, sizeof first_row, &first_row);
-    return opencl_ok(error, status, "clSetKernelArg");
-}
 
 static bool write_without_waiting(const GpuPath *path, cl_mem buffer, const void *data, size_t bytes, Error *error)
 {
@@ -76,33 +19,17 @@ static bool write_without_waiting(const GpuPath *path, cl_mem buffer, const void
                      "clEnqueueWriteBuffer");
 }
 
-static bool launch(const GpuPath *path, cl_kernel kernel, size_t items, size_t group, cl_event *done, Error *error)
-{
-    return opencl_ok(error,
-                     clEnqueueNDRangeKernel(path->session->queue, kernel, 1, NULL, &items, &group, 0, NULL, done),
-                     "clEnqueueNDRangeKernel");
-}
-
 /* Puts the kernels of a band into the queue. Without rows nothing is done but compiling them. */
 static bool launch_band(GpuPath *path, GpuBand *band, Error *error)
 {
     static const cl_uint zeros[GPU_COUNTERS];
-    const OpenclSession *session = path->session;
-    bool is_cpu = strcmp(session->info.type, "CPU") == 0;
-    size_t across = round_up((size_t)band->of.band_columns, GROUP_ACROSS), down = (size_t)band->of.band_rows;
-    size_t items = across * round_up(down > 0 ? down : 1, GROUP_ACROSS);
-    size_t exact_group = is_cpu ? 1 : GROUP_ITEMS;
-    size_t exact_items = (size_t)session->info.compute_units * EXACT_GROUPS_PER_UNIT * GROUP_ITEMS;
-    return set_band(path, band, error) &&
-           write_without_waiting(path, path->doubt_count, zeros, sizeof(cl_uint), error) &&
-           write_without_waiting(path, path->on_device->counters, zeros, sizeof zeros, error) &&
-           launch(path, path->trace, items, GROUP_ITEMS, &band->traced, error) &&
-           launch(path, path->exact, exact_items, exact_group, &band->exact, error);
+    return write_without_waiting(path, path->on_device->counters, zeros, sizeof zeros, error) &&
+           gpu_passes_launch(&path->passes, path->session, &band->of, band->pixels.device, band->traced, error);
 }
 
 static void forget_events(GpuBand *band)
 {
-    cl_event *events[] = {&band->traced, &band->exact, &band->read};
+    cl_event *events[] = {&band->traced[0], &band->traced[1], &band->read};
     for (size_t i = 0; i < sizeof events / sizeof *events; i++) {
         if (*events[i])
             clReleaseEvent(*events[i]);
@@ -110,16 +37,20 @@ static void forget_events(GpuBand *band)
     }
 }
 
+static bool begin_picture(const GpuPath *path, Error *error)
+{
+    return gpu_passes_begin(&path->passes, path->session, path->on_device, path->parameters, error);
+}
+
 /* The program is kept when each kernel has run: some devices compile a kernel only then. */
 static bool warm_up(GpuPath *path, RenderReport *report, Error *error)
 {
     double start = clock_ms();
     GpuBand *band = &path->bands[0];
-    band->of = path->parameters;
+    band->of = path->parameters[0];
     band->of.band_rows = 0;
-    bool ok =
-        write_without_waiting(path, path->on_device->parameters, &path->parameters, sizeof path->parameters, error) &&
-        launch_band(path, band, error) && opencl_ok(error, clFinish(path->session->queue), "clFinish");
+    bool ok = begin_picture(path, error) && launch_band(path, band, error) &&
+              opencl_ok(error, clFinish(path->session->queue), "clFinish");
     forget_events(band);
     if (ok)
         opencl_keep(path->session);
@@ -129,9 +60,13 @@ static bool warm_up(GpuPath *path, RenderReport *report, Error *error)
 
 static void take_parameters(GpuPath *path, Parameters parameters)
 {
-    path->parameters = parameters;
-    path->parameters.first_column = path->region.column;
-    path->parameters.band_columns = path->region.columns;
+    parameters.first_column = path->region.column;
+    parameters.band_columns = path->region.columns;
+    path->parameters[0] = path->parameters[1] = parameters;
+    if (path->session->adaptive) {
+        path->parameters[0].grid = 1;
+        path->parameters[1].grid = adaptive_samples(parameters.grid);
+    }
 }
 
 bool gpu_path_make(GpuPath *path, OpenclSession *session, const SceneOnDevice *on_device, Parameters parameters,
@@ -139,17 +74,15 @@ bool gpu_path_make(GpuPath *path, OpenclSession *session, const SceneOnDevice *o
 {
     *path = (GpuPath){.session = session, .on_device = on_device, .region = *region};
     take_parameters(path, parameters);
-    size_t columns = (size_t)region->columns, rows = MOST_ITEMS / columns / GROUP_ACROSS * GROUP_ACROSS;
-    rows = rows > GROUP_ACROSS ? rows : GROUP_ACROSS;
+    size_t columns = (size_t)region->columns;
+    size_t rows = gpu_passes_most(session, &parameters) / columns / GPU_GROUP_ACROSS * GPU_GROUP_ACROSS;
+    rows = rows > GPU_GROUP_ACROSS ? rows : GPU_GROUP_ACROSS;
     path->most_rows = rows < (size_t)region->rows ? (int)rows : region->rows;
     size_t pixels = columns * (size_t)path->most_rows;
-    /* All pixels of a band may be in doubt. */
-    size_t list = pixels * DOUBT_WORDS * sizeof(cl_uint);
     for (int i = 0; i < GPU_BANDS; i++)
         if (!opencl_pixels_make(&path->bands[i].pixels, session, pixels, linear, error))
             return false;
-    return (path->doubt_count = opencl_buffer(session, CL_MEM_READ_WRITE, sizeof(cl_uint), NULL, error)) &&
-           (path->doubts = opencl_buffer(session, CL_MEM_READ_WRITE, list, NULL, error)) && make_kernels(path, error) &&
+    return gpu_passes_make(&path->passes, session, on_device, &parameters, pixels, error) &&
            warm_up(path, report, error);
 }
 
@@ -159,10 +92,7 @@ void gpu_path_free(GpuPath *path)
         forget_events(&path->bands[i]);
         opencl_pixels_free(&path->bands[i].pixels);
     }
-    if (path->trace)
-        clReleaseKernel(path->trace);
-    if (path->exact)
-        clReleaseKernel(path->exact);
+    gpu_passes_free(&path->passes);
     *path = (GpuPath){0};
 }
 
@@ -175,12 +105,20 @@ static bool read_without_waiting(const GpuPath *path, cl_mem buffer, size_t byte
                      "clEnqueueReadBuffer");
 }
 
+static bool read_counts(const GpuPath *path, GpuBand *band, Error *error)
+{
+    for (int i = 0; i < gpu_passes_counts(path->session); i++)
+        if (!read_without_waiting(path, path->passes.counts[i], sizeof(cl_uint), &band->counts[i], NULL, error))
+            return false;
+    return true;
+}
+
 static bool begin_band(GpuPath *path, GpuBand *band, Error *error)
 {
     size_t bytes = opencl_pixels_bytes(path->session, &band->of);
     return launch_band(path, band, error) &&
            read_without_waiting(path, path->on_device->counters, sizeof band->counters, band->counters, NULL, error) &&
-           read_without_waiting(path, path->doubt_count, sizeof band->doubts, &band->doubts, NULL, error) &&
+           read_counts(path, band, error) &&
            read_without_waiting(path, band->pixels.device, bytes, band->pixels.read, &band->read, error) &&
            opencl_ok(error, clFlush(path->session->queue), "clFlush");
 }
@@ -200,11 +138,12 @@ static bool end_band(GpuPath *path, GpuBand *band, BandSink sink, RenderReport *
 {
     if (!opencl_ok(error, clWaitForEvents(1, &band->read), "clWaitForEvents"))
         return false;
-    report->trace_ms += ms_between(band->traced, band->exact);
+    report->trace_ms += ms_between(band->traced[0], band->traced[1]);
     report->readback_ms += ms_between(band->read, band->read);
     forget_events(band);
     opencl_add_counters(band->counters, report);
-    report->exact_pixels += band->doubts;
+    report->exact_pixels += band->counts[GPU_DOUBTS] + (uint64_t)band->counts[GPU_REFINED_DOUBTS];
+    report->refined_pixels += band->counts[GPU_REFINED];
     const Region part = opencl_pixels_part(&band->of, &path->region);
     opencl_pixels_take(&band->pixels, path->session, &part);
     return sink.band(sink.user, part.row, part.rows, band->pixels.rgb, report, error);
@@ -215,16 +154,19 @@ static int next_rows(const GpuPath *path, int rows, double ms)
 {
     double factor = ms > 0 ? BAND_MS / ms : GROWTH;
     factor = factor > GROWTH ? GROWTH : factor;
-    int next = (int)(rows * factor) / GROUP_ACROSS * GROUP_ACROSS;
-    next = next > GROUP_ACROSS ? next : GROUP_ACROSS;
+    int next = (int)(rows * factor) / GPU_GROUP_ACROSS * GPU_GROUP_ACROSS;
+    next = next > GPU_GROUP_ACROSS ? next : GPU_GROUP_ACROSS;
     return next < path->most_rows ? next : path->most_rows;
 }
 
+/* Of a first band of adaptive sampling, a quarter of the pixels may need more samples. */
 static int first_rows(const GpuPath *path)
 {
-    long row = (long)path->region.columns * path->parameters.grid * path->parameters.grid;
-    long rows = FIRST_SAMPLES / row / GROUP_ACROSS * GROUP_ACROSS;
-    rows = rows > GROUP_ACROSS ? rows : GROUP_ACROSS;
+    const Parameters *parameters = path->parameters;
+    long grid = parameters[0].grid, samples = path->session->adaptive ? 1 + parameters[1].grid / 4 : grid * grid;
+    long row = path->region.columns * samples;
+    long rows = FIRST_SAMPLES / row / GPU_GROUP_ACROSS * GPU_GROUP_ACROSS;
+    rows = rows > GPU_GROUP_ACROSS ? rows : GPU_GROUP_ACROSS;
     return rows < path->most_rows ? (int)rows : path->most_rows;
 }
 
@@ -237,7 +179,7 @@ static bool render_bands(GpuPath *path, BandSink sink, RenderReport *report, Err
         GpuBand *band = NULL;
         if (row < end) {
             band = &path->bands[i % GPU_BANDS];
-            band->of = path->parameters;
+            band->of = path->parameters[0];
             band->of.first_row = row;
             band->of.band_rows = rows < end - row ? rows : end - row;
             row += band->of.band_rows;
@@ -264,9 +206,7 @@ void gpu_path_fill(GpuPath *path, double *linear)
 bool gpu_path_picture(GpuPath *path, Parameters parameters, BandSink sink, RenderReport *report, Error *error)
 {
     take_parameters(path, parameters);
-    bool ok =
-        write_without_waiting(path, path->on_device->parameters, &path->parameters, sizeof path->parameters, error) &&
-        render_bands(path, sink, report, error);
+    bool ok = begin_picture(path, error) && render_bands(path, sink, report, error);
     if (!ok)
         clFinish(path->session->queue); /* nothing may be written to what is freed next */
     for (int i = 0; i < GPU_BANDS; i++)

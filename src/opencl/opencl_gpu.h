@@ -1,8 +1,10 @@
-/* Rendering by kernels/gpu.cl: a band's pixels in float, then those in doubt exactly. While a band is traced, the one
- * before it is encoded: nothing waits but for pixels. */
+/* Rendering by kernels/gpu.cl: a band's pixels in float, then those in doubt exactly. With adaptive sampling these are
+ * the centres; then the pixels are judged, and some get their samples (kernels/gpu_adaptive.cl). While a band is
+ * traced, the one before it is encoded: nothing waits but for pixels. */
 #ifndef RECTRAY_OPENCL_GPU_H
 #define RECTRAY_OPENCL_GPU_H
 
+#include "opencl/opencl_gpu_passes.h"
 #include "opencl/opencl_pixels.h"
 #include "opencl/opencl_upload.h"
 
@@ -13,8 +15,8 @@ typedef struct GpuBand {
     Pixels pixels;
     Parameters of; /* its rows */
     cl_uint counters[GPU_COUNTERS];
-    cl_uint doubts;               /* pixels on the list */
-    cl_event traced, exact, read; /* its kernels, and the last read; NULL: none is on its way */
+    cl_uint counts[GPU_COUNTS];
+    cl_event traced[2], read; /* its first and last kernel, and the last read; NULL: none is on its way */
 } GpuBand;
 
 enum { GPU_BANDS = 2 };
@@ -22,10 +24,9 @@ enum { GPU_BANDS = 2 };
 typedef struct GpuPath {
     OpenclSession *session;
     const SceneOnDevice *on_device;
-    Parameters parameters; /* of the region, without rows */
-    Region region;         /* what is rendered */
-    cl_kernel trace, exact;
-    cl_mem doubt_count, doubts;
+    Parameters parameters[2]; /* of the region, without rows; adaptive: of the centres, and of refined pixels */
+    Region region;            /* what is rendered */
+    GpuPasses passes;
     int most_rows; /* of a band */
     GpuBand bands[GPU_BANDS];
 } GpuPath;

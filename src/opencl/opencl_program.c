@@ -24,13 +24,13 @@ static bool check_language(const DeviceInfo *info, Error *error)
                      info->name, info->c_version);
 }
 
-/* The kernel for GPUs is float's, has exact arithmetic only, and traces one path per sample. */
+/* The kernel for GPUs is float's, and has exact arithmetic only. */
 static KernelKind kernel_for(const OpenclSession *session, const RenderSettings *settings)
 {
     if (settings->kernel != KERNEL_AUTO)
         return settings->kernel;
     bool suits = strcmp(session->info.type, "CPU") != 0 && session->info.lanes_float == 1 && settings->lanes == 0 &&
-                 settings->precision == PRECISION_FLOAT && !session->adaptive && !session->casts;
+                 settings->precision == PRECISION_FLOAT && !session->casts;
     return suits ? KERNEL_GPU : KERNEL_PACKET;
 }
 
@@ -93,16 +93,26 @@ static void write_options(const OpenclSession *session, Variant variant, bool wi
              few_registers ? " -cl-nv-maxrregcount=128" : "");
 }
 
+/* How many programs a session has. */
+static int program_count(const OpenclSession *session)
+{
+    return session->kernel != KERNEL_GPU ? 1 : session->adaptive ? OPENCL_PROGRAMS : PROGRAM_EXACT + 1;
+}
+
 /* The kernel file that includes all that the session needs. Tiles of several packets are classified where float has
  * double for its exact rays. */
 static const char *root_of(const OpenclSession *session, int program)
 {
+    static const char *const uniform[] = {[PROGRAM_MAIN] = "gpu.cl", [PROGRAM_EXACT] = "gpu_exact.cl"};
+    static const char *const adaptive[] = {[PROGRAM_MAIN] = "gpu_adaptive.cl",
+                                           [PROGRAM_EXACT] = "gpu_adaptive_exact.cl",
+                                           [PROGRAM_JUDGE] = "gpu_judge.cl"};
     if (session->casts)
         return "packet/cast.cl";
     if (session->kernel == KERNEL_PLAIN)
         return "plain.cl";
     if (session->kernel == KERNEL_GPU)
-        return program == PROGRAM_EXACT ? "gpu_exact.cl" : "gpu.cl";
+        return session->adaptive ? adaptive[program] : uniform[program];
     if (session->adaptive)
         return "adaptive/refine.cl";
     bool classifies = session->precision == PRECISION_FLOAT && session->wide_is_double && session->packets_across > 1;
@@ -183,8 +193,8 @@ static bool make_program(OpenclSession *session, int which, Variant variant, Ren
     OpenclProgram *made = &session->programs[which];
     const char *root = root_of(session, which);
     char options[sizeof made->built];
-    /* The kernel for GPUs knows no double; its exact pass does. */
-    bool wide_is_double = session->wide_is_double && (session->kernel != KERNEL_GPU || which == PROGRAM_EXACT);
+    /* The kernels for GPUs know no double; their exact passes and what judges pixels do. */
+    bool wide_is_double = session->wide_is_double && (session->kernel != KERNEL_GPU || which != PROGRAM_MAIN);
     write_options(session, variant, wide_is_double, options, sizeof options);
     if (which == PROGRAM_MAIN)
         memcpy(report->build_options, options, sizeof options);
@@ -207,8 +217,9 @@ static bool make_program(OpenclSession *session, int which, Variant variant, Ren
 bool opencl_build(OpenclSession *session, Variant variant, RenderReport *report, Error *error)
 {
     double start = clock_ms();
-    bool ok = make_program(session, PROGRAM_MAIN, variant, report, error) &&
-              (session->kernel != KERNEL_GPU || make_program(session, PROGRAM_EXACT, variant, report, error));
+    bool ok = true;
+    for (int i = 0; i < program_count(session) && ok; i++)
+        ok = make_program(session, i, variant, report, error);
     report->compile_ms = clock_ms() - start;
     return ok;
 }

@@ -7,7 +7,7 @@
 #include "trace/render.h"
 
 /* Where PoCL is told to specialise kernels, it compiles one once more for launches of more than 65535 work-groups. */
-enum { OPENCL_MAX_BUFFERS = 16, OPENCL_MAX_ITEMS = 65535 };
+enum { OPENCL_MAX_BUFFERS = 24, OPENCL_MAX_ITEMS = 65535 };
 
 /* A program, and what it is kept by for later runs. */
 typedef struct OpenclProgram {
@@ -17,8 +17,8 @@ typedef struct OpenclProgram {
     bool from_source; /* it was compiled in this run, not kept from an earlier one */
 } OpenclProgram;
 
-/* The session's kernel, and for a GPU the exact pass after it. */
-enum { PROGRAM_MAIN, PROGRAM_EXACT, OPENCL_PROGRAMS };
+/* The session's kernel; for a GPU the exact pass after it, and with adaptive sampling what judges the pixels. */
+enum { PROGRAM_MAIN, PROGRAM_EXACT, PROGRAM_JUDGE, OPENCL_PROGRAMS };
 
 /* Zero it, open it, build its kernels, close it; the buffers made with it are freed with it. */
 typedef struct OpenclSession {
@@ -31,7 +31,7 @@ typedef struct OpenclSession {
     bool wide_is_double;                /* t comes back as double */
     KernelKind kernel;                  /* not KERNEL_AUTO */
     Arithmetic arithmetic;
-    bool adaptive; /* the kernel is `render_adaptive` */
+    bool adaptive; /* the kernel is `render_adaptive`, or those of gpu_adaptive.cl */
     bool casts;    /* it is `cast`; else it is `render`. One is built: a compiler takes seconds for each */
     bool single;   /* it renders one picture only, so that its tree may be a cheap one */
     bool linear;   /* pixels come back as three reals, not clamped, instead of three bytes */

@@ -6,7 +6,8 @@
  *     tree COLUMN ROW DIFFERENCE                  the same of the reference's own picture with a tree
  *     textbook-PRECISION COLUMN ROW DIFFERENCE    the same of both textbook arithmetics, the plain kernel's and the
  *                                                 reference's
- *     rays WHAT EXPECTED FOUND                    the pictures are equal, a count of rays or refined pixels is not
+ *     rays WHAT EXPECTED FOUND                    the pictures are equal, a count of rays or refined pixels is not; of
+ *                                                 the kernel for GPUs, adaptively, against the packet kernel's in float
  *     float PIXELS OFF AWAY COLUMN ROW DIFFERENCE too many pixels are off in float: how many, how many of them are away
  *                                                 from any edge, and the worst (of those, where there are any)
  *     failed MESSAGE                              the scene does not load, or a backend fails
@@ -176,28 +177,39 @@ static bool same_textbooks(const Scene *scene, Error *error)
     return same;
 }
 
+/* The kernel for GPUs has no double: the kernel that does the same in double and in float. */
+static RenderSettings twin_of(RenderSettings settings, bool adaptive)
+{
+    if (settings.kernel != KERNEL_GPU)
+        return settings;
+    settings.kernel = adaptive ? KERNEL_PACKET : KERNEL_PLAIN;
+    settings.lanes = adaptive ? 1 : 0;
+    return settings;
+}
+
 static bool compare(const char *path, RenderSettings settings, Error *error)
 {
     bool plain = settings.kernel == KERNEL_PLAIN, gpu = settings.kernel == KERNEL_GPU;
     Scene scene;
-    Picture expected = {0}, by_tree = {0}, in_double = {0}, in_float = {0}, apart = {0};
+    Picture expected = {0}, by_tree = {0}, in_double = {0}, in_float = {0}, apart = {0}, packets = {0};
     bool ok = scene_load(&scene, path, error);
-    scene.adaptive = scene.adaptive && !plain && !gpu;
+    scene.adaptive = scene.adaptive && !plain;
     ok = ok &&
          render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_NONE, .threads = 1}, &expected, error) &&
          render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = settings.accel, .threads = 1}, &by_tree, error);
     settings.no_skip = settings.accel == ACCEL_NONE ? DOES_ALL : 0;
-    settings.precision = PRECISION_DOUBLE;
-    settings.kernel = gpu ? KERNEL_PLAIN : settings.kernel; /* the one for GPUs has no double */
-    ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_double, error);
-    settings.kernel = gpu ? KERNEL_GPU : settings.kernel;
-    settings.precision = PRECISION_FLOAT;
-    ok = ok && render(&scene, BACKEND_OPENCL, settings, &in_float, error);
+    RenderSettings twin = twin_of(settings, scene.adaptive);
+    bool by_packets = gpu && scene.adaptive;
+    ok = ok && (!by_packets || render(&scene, BACKEND_OPENCL, twin, &packets, error));
+    twin.precision = PRECISION_DOUBLE;
+    ok = ok && render(&scene, BACKEND_OPENCL, twin, &in_double, error) &&
+         render(&scene, BACKEND_OPENCL, settings, &in_float, error);
     bool by_tiles = settings.accel != ACCEL_NONE && settings.lanes > 1; /* else every ray went its own way already */
     settings.no_skip |= 1u << SKIP_WHOLE_TILE;
     ok = ok && (!by_tiles || render(&scene, BACKEND_OPENCL, settings, &apart, error));
     if (ok && same_pictures(&expected, &by_tree, "tree", true) &&
         same_pictures(&expected, &in_double, "double", plain || settings.accel == ACCEL_NONE) &&
+        (!by_packets || same_counts(&packets.report, &in_float.report, settings.accel == ACCEL_NONE)) &&
         (!by_tiles || same_by_whole_tiles(&apart, &in_float)) && (!plain || same_textbooks(&scene, error)))
         judge_float(&scene, &expected, &in_float);
     free(expected.rgb);
@@ -205,6 +217,7 @@ static bool compare(const char *path, RenderSettings settings, Error *error)
     free(in_double.rgb);
     free(in_float.rgb);
     free(apart.rgb);
+    free(packets.rgb);
     scene_free(&scene);
     return ok;
 }
