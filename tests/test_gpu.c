@@ -12,6 +12,7 @@
 #include "unity.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -119,6 +120,41 @@ static void a_list_that_is_full_should_lose_no_ray(void)
     scene_free(&scene);
 }
 
+/* The ray of each pixel goes exactly through the edge between two strips. It meets both, and the first in the file
+ * counts. Rounded, it may go past the edge on either side. */
+static void rays_through_edges_should_be_decided_exactly(void)
+{
+    enum { COLUMNS = 32, ROWS = 24 };
+    static char text[8192];
+    int used = snprintf(text, sizeof text,
+                        "{\"camera\": {\"position\": [0, 0, 2], \"look_at\": [0, 0, 0]},"
+                        "\"screen\": {\"columns\": %d, \"rows\": %d, \"width\": 2, \"distance\": 1},"
+                        "\"lights\": [{\"position\": [1, 2, 3]}], \"materials\": {\"0\": {\"diffuse\": [1, 0, 0]},"
+                        "\"1\": {\"diffuse\": [0, 0, 1]}}, \"objects\": [",
+                        COLUMNS, ROWS);
+    for (int i = 0; i <= COLUMNS; i++) { /* on the plane z = 0, the middles of columns are 1/8 apart */
+        double left = (2 * i - 1 - COLUMNS) / 16.0, right = left + 0.125;
+        used += snprintf(text + used, sizeof text - (size_t)used,
+                         "%s{\"material\": \"%d\", \"faces\": [[0, 1, 2, 3]],"
+                         "\"vertices\": [[%g, -3, 0], [%g, -3, 0], [%g, 3, 0], [%g, 3, 0]]}",
+                         i > 0 ? "," : "", i % 2, left, right, right, left);
+    }
+    used += snprintf(text + used, sizeof text - (size_t)used, "]}");
+    Scene scene;
+    Error error = {0};
+    TEST_ASSERT_TRUE_MESSAGE(scene_parse(&scene, "strips.json", text, used, &error), error.text);
+    scene.adaptive = false;
+    scene.grid = 1;
+    Picture expected = picture_render(&scene, BACKEND_REFERENCE, (RenderSettings){.accel = ACCEL_NONE});
+    Picture picture = picture_render(&scene, BACKEND_OPENCL, gpu_settings(ACCEL_BVH));
+    TEST_ASSERT_EQUAL_UINT64(COLUMNS * ROWS, picture.report.exact_pixels);
+    for (int i = 0; i < COLUMNS * ROWS; i++)
+        TEST_ASSERT_LESS_OR_EQUAL_INT(1, pixel_difference(&expected, &picture, i));
+    free(expected.rgb);
+    free(picture.rgb);
+    scene_free(&scene);
+}
+
 static void few_pixels_should_be_in_doubt(void)
 {
     const char *const paths[] = {"scenes/original.json", "scenes/cornell.json", "scenes/gallery.json"};
@@ -184,6 +220,7 @@ int main(void)
     RUN_TEST(every_scene_should_be_close_to_the_reference);
     RUN_TEST(pictures_of_several_bands_and_odd_sizes_should_be_whole);
     RUN_TEST(a_list_that_is_full_should_lose_no_ray);
+    RUN_TEST(rays_through_edges_should_be_decided_exactly);
     RUN_TEST(few_pixels_should_be_in_doubt);
     RUN_TEST(linear_colours_should_be_those_of_the_reference);
     RUN_TEST(what_is_not_there_should_be_refused_with_the_way_out);
