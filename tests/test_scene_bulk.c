@@ -112,7 +112,8 @@ static const char *const objects[] = {
     "{\"material\": \"red\", \"obj\": \"models/house.obj\"}",
 };
 
-enum { OBJECTS = (int)(sizeof objects / sizeof *objects) };
+/* A concave face is cut, which takes the places of the tree. */
+enum { OBJECTS = (int)(sizeof objects / sizeof *objects), CONCAVE = 8 };
 
 /* A scene of all objects. The caller frees it. */
 static char *whole_text(void)
@@ -132,7 +133,7 @@ static void every_form_should_be_read_in_bulk(void)
     char text[2048];
     for (int i = 0; i < OBJECTS - 1; i++) { /* the model is not there */
         snprintf(text, sizeof text, HEAD "%s]}", objects[i]);
-        TEST_ASSERT_TRUE_MESSAGE(in_bulk(text), text);
+        TEST_ASSERT_EQUAL_MESSAGE(i != CONCAVE, in_bulk(text), text);
         assert_ways_agree(text, (long)strlen(text));
     }
     TEST_ASSERT_TRUE(in_bulk(HEAD "]}"));
@@ -178,6 +179,65 @@ static void what_is_not_plain_should_be_left_to_the_tree(void)
         assert_ways_agree(text, (long)strlen(text));
     }
     TEST_ASSERT_FALSE(in_bulk("{\"objects\": [], \"objects\": []}"));
+}
+
+/* Where the tree lacks vertices and faces, an error has the path and the column that it has with them. */
+static void a_fault_should_have_its_place_without_the_long_lists(void)
+{
+    static const char *const twice = "the key stands twice in this object; keep one of the two";
+    static const char *const texts[][3] = {
+        {"\"vertices\": [[0,0,0], [1,0,0], [1,1,0]], \"faces\": [[0,1,2], [2,1,0],\n [0,1,3]]", "2:2",
+         "objects[1].faces[2]: vertex 3 does not exist; the object has 3 vertices"},
+        {"\"vertices\": [[0,0,0], [1,0,0],\n [1,1]], \"faces\": [[0,1,2]]", "2:2",
+         "objects[1].vertices[2]: must be a list of three numbers, not of 2"},
+        {"\"vertices\": [[0,0,0], [1,0,0], [1,1,0]], \"faces\": [[0,1,2],\n {\"vertices\": [0, 1, null]}]", "2:22",
+         "objects[1].faces[1].vertices[2]: must be a whole number, not null"},
+        {"\"vertices\": [[0,0,0], [1,0,0], [1,1,0]], \"faces\": [{\"vertices\": [0, 1, 2],\n \"vertices\": 3}]", "2:2",
+         "objects[1].faces[0].vertices: "},
+        {"\"faces\": [[0,1,2], {\"vertices\": [[{\"a\": 1,\n \"a\": 2}]]}], \"sided\": 1, \"sided\": 2", "2:27",
+         "objects[1].sided: "},
+        {"\"vertices\": [[0,0,0], [1,0,0], [1,1,0]], \"faces\": [[0,1,2], [0, 1, 2],\n  [1,1,2]]", "2:3",
+         "objects[1].faces[2]: the face uses vertex 1 twice"},
+    };
+    static Error error;
+    char text[1024];
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        Scene scene;
+        error = (Error){.kind = ERROR_NONE};
+        snprintf(text, sizeof text, HEAD "%s, {\"material\": \"red\", %s}]}", objects[0], texts[i][0]);
+        assert_ways_agree(text, (long)strlen(text));
+        TEST_ASSERT_FALSE(scene_parse_by(SCENE_WAY_ANY, &scene, "x", text, (long)strlen(text), &error));
+        TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error.text, texts[i][1]), error.text);
+        TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error.text, texts[i][2]), error.text);
+        TEST_ASSERT_TRUE_MESSAGE(i < 3 || i > 4 || strstr(error.text, twice), error.text);
+    }
+}
+
+/* A key that stands twice is told in the order of the objects that have it, also where the tree lacks one of them. */
+static void the_first_key_that_stands_twice_should_be_told(void)
+{
+    static const char *const lists = "\"vertices\": [], \"faces\": [[0], {\"a\": 1, \"b\": {}, \"a\": 2}]";
+    char text[1024];
+    static Error error;
+    for (int after = 0; after < 2; after++) {
+        Scene scene;
+        error = (Error){.kind = ERROR_NONE};
+        snprintf(text, sizeof text, HEAD "{%s}, {\"box\": {}, \"box\": {}}, {%s}]}", after ? lists : "", lists);
+        assert_ways_agree(text, (long)strlen(text));
+        TEST_ASSERT_FALSE(scene_parse_by(SCENE_WAY_ANY, &scene, "x", text, (long)strlen(text), &error));
+        const char *path = after ? "objects[0].faces[1].a: the key" : "objects[1].box: the key";
+        TEST_ASSERT_NOT_NULL_MESSAGE(strstr(error.text, path), error.text);
+    }
+}
+
+/* What is not plain but right is read without a tree of the whole list. */
+static void faces_of_other_forms_should_be_accepted(void)
+{
+    static const char *const text =
+        HEAD "{\"material\": \"red\", \"vertices\": [[0,0,0], [1,0,0], [1,1,0]], \"faces\": [[0,1,2], "
+             "{\"material\": \"bl\\u0075e\", \"vertices\": [2, 1, 0]}, {\"//\": \"a\", \"vertices\": [0, 1, 2]}]}]}";
+    TEST_ASSERT_FALSE(in_bulk(text));
+    TEST_ASSERT_TRUE(assert_ways_agree(text, (long)strlen(text)));
 }
 
 /* Written in other ways, the same indices. */
@@ -323,6 +383,9 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(every_form_should_be_read_in_bulk);
     RUN_TEST(what_is_not_plain_should_be_left_to_the_tree);
+    RUN_TEST(a_fault_should_have_its_place_without_the_long_lists);
+    RUN_TEST(the_first_key_that_stands_twice_should_be_told);
+    RUN_TEST(faces_of_other_forms_should_be_accepted);
     RUN_TEST(indices_should_be_numbers_of_any_form);
     RUN_TEST(the_ways_should_agree_on_every_file);
     RUN_TEST(the_ways_should_agree_on_a_text_cut_anywhere);

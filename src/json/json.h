@@ -6,17 +6,31 @@
 #define RECTRAY_JSON_H
 
 #include "base/error.h"
+#include "json/json_bulk.h"
 
 #include <cjson/cJSON.h>
 
 enum { JSON_MAX_BYTES = 1073741824 }; /* of a file: 1 GiB */
+
+/* The insides of lists that are left out of a tree, in the order of the text. The tree of a large file takes many times
+ * its time and memory, and most of that are the elements of few lists. The tree has such a list with a mark only, and
+ * the elements stay in the text. One that is needed gets a tree of its own. Its errors have their place in the file. */
+typedef struct JsonCuts {
+    JsonSpan *spans;
+    int count;
+} JsonCuts;
 
 typedef struct Json {
     const char *name; /* of the file, for messages; borrowed */
     char *text;
     long length;
     cJSON *root;
-    Error *error; /* borrowed; where json_fail writes */
+    const char *begin; /* of the root's value in the text */
+    Error *error;      /* borrowed; where json_fail writes */
+    JsonCuts cuts;
+    const struct Json *whole; /* of an element with a tree of its own: whose text it is, */
+    const cJSON *list;        /* the list there, */
+    int index;                /* and which element. NULL: none */
 } Json;
 
 /* Reads and parses a file, a pipe, or with "-" standard input. Errors (ERROR_INPUT): those of text_read_input; a syntax
@@ -29,6 +43,17 @@ bool json_parse(Json *json, const char *name, const char *text, long length, Err
 
 /* The same for a text on the heap that ends in a NUL, which json_free frees, or a failure does. */
 bool json_take(Json *json, const char *name, char *text, long length, Error *error);
+
+/* The same without the insides of some lists: what stands between their brackets, of which none is in another one.
+ * Takes over the spans, too. */
+bool json_take_cut(Json *json, const char *name, char *text, long length, JsonCuts cuts, Error *error);
+
+/* Whether a list was cut, and its inside. */
+bool json_is_cut(const Json *json, const cJSON *list, JsonSpan *inside);
+
+/* The element of a cut list that begins at `at`. json_free frees it; the text stays the whole's. False without memory.
+ */
+bool json_take_element(Json *element, const Json *whole, const cJSON *list, const char *at, int index);
 
 void json_free(Json *json);
 
@@ -46,6 +71,18 @@ bool json_fail_key(const Json *json, const cJSON *item, const char *format, ...)
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
+
+/* The same for a place in the text: "" is no path. */
+bool json_fail_at(const Json *json, const char *place, const char *path, const char *reason);
+
+/* For json.c: makes the tree of a text that json_scan accepts; false without memory. */
+bool json_cut_parse(Json *json);
+
+/* The list of a cut. */
+const cJSON *json_cut_list(const Json *json, int cut);
+
+/* Where a value begins in the text. */
+const char *json_where(const Json *json, const cJSON *item);
 
 /* A value's place, for what is told about it without an error. Looks through the text up to there. */
 typedef struct JsonPlace {

@@ -42,6 +42,30 @@ const char *json_bulk_skip(const char *at)
     }
 }
 
+bool json_bulk_keys_differ(const char *at)
+{
+    enum { FEW = 8 };
+    JsonSpan keys[FEW];
+    int count = 0;
+    at = json_bulk_mark(at, '{');
+    for (; at && count < FEW; count++) {
+        if (!(at = json_bulk_string(at, &keys[count])) || !(at = json_bulk_mark(at, ':')))
+            return false;
+        for (int i = 0; i < count; i++)
+            if (keys[i].end - keys[i].begin == keys[count].end - keys[count].begin &&
+                memcmp(keys[i].begin, keys[count].begin, (size_t)(keys[i].end - keys[i].begin)) == 0)
+                return false;
+        const char *end = json_bulk_skip(at);
+        if (memchr(at, '{', (size_t)(end - at)))
+            return false;
+        at = json_blanks(end);
+        if (*at == '}')
+            return true;
+        at = json_bulk_mark(at, ',');
+    }
+    return false;
+}
+
 bool json_bulk_find(const char *text, const char *key, JsonSpan *inside)
 {
     JsonSpan name;

@@ -87,6 +87,9 @@ static inline bool json_span_is(JsonSpan span, const char *word)
 /* Any value, of which only brackets, quotes and the end are looked at. */
 const char *json_bulk_skip(const char *at);
 
+/* Whether an object's keys are few, plain and all different, and no object is in it. The text is known to be JSON. */
+bool json_bulk_keys_differ(const char *at);
+
 /* The inside of the list that the text's outermost object has under a key. */
 bool json_bulk_find(const char *text, const char *key, JsonSpan *inside);
 

@@ -12,10 +12,15 @@ static const char *string_end(const char *at)
     return at + 1;
 }
 
-JsonToken json_find_value(const char *text, long values_before)
+JsonToken json_find_value(const char *text, JsonCuts cuts, long values_before)
 {
     JsonToken token = {.key = NULL};
+    int cut = 0;
     for (const char *at = text;;) {
+        if (cut < cuts.count && at == cuts.spans[cut].begin) {
+            at = cuts.spans[cut++].end;
+            values_before--;
+        }
         at += strspn(at, " \t\r\n,:]}");
         const char *end = *at == '"'                 ? string_end(at)
                           : *at == '{' || *at == '[' ? at + 1

@@ -2,12 +2,14 @@
 #ifndef RECTRAY_JSON_FIND_H
 #define RECTRAY_JSON_FIND_H
 
+#include "json/json.h"
+
 /* A value, and its key's opening quote (NULL in a list). */
 typedef struct JsonToken {
     const char *value, *key;
 } JsonToken;
 
-/* The value that begins after `values_before` others, in a text that json_scan accepts. */
-JsonToken json_find_value(const char *text, long values_before);
+/* The value that begins after `values_before` others, in a text that json_scan accepts. A cut counts as one value. */
+JsonToken json_find_value(const char *text, JsonCuts cuts, long values_before);
 
 #endif

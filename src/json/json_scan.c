@@ -197,11 +197,31 @@ static bool in_object(const Scan *scan)
     return *scan->open[scan->depth - 1] == '{';
 }
 
-/* An opening bracket up to its first member; an empty list or object is scanned whole and is not left open. */
+/* The end of a list of numbers alone, in which nothing is wrong; NULL: it is another list. */
+static const char *numbers_end(const char *at)
+{
+    double value;
+    do {
+        const char *start = skip_blanks(at + 1);
+        const char *end = number_read(start, NUMBER_JSON, &value);
+        if (!end || end - start > JSON_MAX_NUMBER)
+            return NULL;
+        at = skip_blanks(end);
+    } while (*at == ',');
+    return *at == ']' ? at + 1 : NULL;
+}
+
+/* An opening bracket up to its first member; an empty list or object, and a list of numbers,
+ * is scanned whole and is not left open. */
 static bool scan_open(Scan *scan)
 {
     if (scan->depth == JSON_MAX_DEPTH)
         return fault(scan, scan->at, "lists and objects are nested more than %d deep", JSON_MAX_DEPTH);
+    const char *end = *scan->at == '[' ? numbers_end(scan->at) : NULL;
+    if (end) {
+        scan->at = end;
+        return true;
+    }
     scan->open[scan->depth++] = scan->at;
     scan->at = skip_blanks(scan->at + 1);
     if (*scan->at == (in_object(scan) ? '}' : ']')) {

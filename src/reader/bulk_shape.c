@@ -1,6 +1,8 @@
 /* The rows of an object: straight from the text into the arrays of the build. */
 #include "reader/bulk_shape.h"
 
+#include <stdlib.h>
+
 int bulk_material(BulkShape *shape, JsonSpan name)
 {
     char text[256];
@@ -108,6 +110,36 @@ const char *bulk_faces(BulkShape *shape, const char *at)
         at = bulk_after(at, &more);
     }
     return at;
+}
+
+const char *bulk_add_vertex(BulkShape *shape, const char *at)
+{
+    double c[3];
+    at = json_bulk_triple(at, c);
+    return at && scene_build_point(shape->build, vec3(c[0], c[1], c[2])) ? at : NULL;
+}
+
+const char *bulk_add_face(BulkShape *shape, const char *at, int place)
+{
+    int few[8];
+    BulkRow row = {.vertices = few, .room = sizeof few / sizeof *few};
+    const char *end = bulk_face(shape, at, &row);
+    if (end && row.count > row.room) {
+        row.room = row.count;
+        row.vertices = malloc((size_t)row.room * sizeof *row.vertices);
+        if (!row.vertices) {
+            error_memory(shape->build->error, "a face");
+            return NULL;
+        }
+        bulk_face(shape, at, &row);
+    }
+    bool good = end != NULL;
+    for (int i = 0; good && i < row.count; i++)
+        good = row.vertices[i] < scene_build_point_count(shape->build);
+    good = good && scene_build_face(shape->build, row.vertices, row.count, row.material, place);
+    if (row.vertices != few)
+        free(row.vertices);
+    return good ? end : NULL;
 }
 
 const char *bulk_box(BulkShape *shape, const char *at)

@@ -32,6 +32,11 @@ typedef struct BulkRow {
 const char *bulk_faces(BulkShape *shape, const char *at);
 const char *bulk_face(BulkShape *shape, const char *at, BulkRow *row);
 
+/* Adds the vertex or the face that begins at `at` to the build's object, a face with the number that its reader has for
+ * it. NULL: it is not added; without memory the build's error is filled. */
+const char *bulk_add_vertex(BulkShape *shape, const char *at);
+const char *bulk_add_face(BulkShape *shape, const char *at, int place);
+
 /* {"min": [x, y, z], "max": [x, y, z]}, each below the other */
 const char *bulk_box(BulkShape *shape, const char *at);
 

@@ -17,7 +17,6 @@ typedef struct BulkReader {
     const char *vertices, *faces; /* where their lists begin; NULL: none */
     JsonSpan heads[MOST_MEMBERS]; /* "key": value of all members but vertices, faces and box */
     int head_count;
-    bool one_by_one; /* every face goes through scene_build_face */
     bool needs_tree; /* a head is none of the plain ones */
 } BulkReader;
 
@@ -113,30 +112,6 @@ static bool begin_by_tree(BulkReader *reader, int index)
     return good;
 }
 
-/* Adds the face that begins at `at`. Returns its end, NULL where it is not added. */
-static const char *add_face(BulkReader *reader, const char *at, int place)
-{
-    int few[8];
-    BulkRow row = {.vertices = few, .room = sizeof few / sizeof *few};
-    const char *end = bulk_face(&reader->shape, at, &row);
-    if (end && row.count > row.room) {
-        row.room = row.count;
-        row.vertices = malloc((size_t)row.room * sizeof *row.vertices);
-        if (!row.vertices) {
-            error_memory(reader->build->error, "a face");
-            return NULL;
-        }
-        bulk_face(&reader->shape, at, &row);
-    }
-    bool good = end != NULL;
-    for (int i = 0; good && i < row.count; i++)
-        good = row.vertices[i] < reader->shape.point_count;
-    good = good && scene_build_face(reader->build, row.vertices, row.count, row.material, place);
-    if (row.vertices != few)
-        free(row.vertices);
-    return good ? end : NULL;
-}
-
 /* The object's faces one by one: where those that are not planar are split, and those without area left out, a face may
  * become several or none. */
 static bool add_slowly(BulkReader *reader)
@@ -148,7 +123,7 @@ static bool add_slowly(BulkReader *reader)
     const char *at = json_bulk_mark(reader->faces, '[');
     bool more = reader->shape.face_count > 0;
     for (int place = 0; more && at; place++) {
-        if (!(at = add_face(reader, at, place)))
+        if (!(at = bulk_add_face(&reader->shape, at, place)))
             return false;
         at = bulk_after(at, &more);
     }
@@ -159,11 +134,10 @@ static bool add_shape(BulkReader *reader)
 {
     SceneBuild *build = reader->build;
     if (reader->shape.has_box)
-        return reader->one_by_one ? scene_build_box(build, reader->shape.low, reader->shape.high)
-                                  : scene_build_adopt_box(build, reader->shape.low, reader->shape.high);
+        return scene_build_adopt_box(build, reader->shape.low, reader->shape.high);
     if (!reader->vertices)
         return true;
-    return reader->one_by_one || reader->shape.has_polygons || build->object.split || build->object.skip
+    return reader->shape.has_polygons || build->object.split || build->object.skip
                ? add_slowly(reader)
                : scene_build_adopt(build, reader->shape.point_count, reader->shape.face_count);
 }
@@ -173,8 +147,7 @@ static const char *read_object(BulkReader *reader, const char *at, int index)
     BulkShape *shape = &reader->shape;
     *shape =
         (BulkShape){.build = reader->build, .last_material = shape->last_material, .last_index = shape->last_index};
-    *reader =
-        (BulkReader){.json = reader->json, .build = reader->build, .shape = *shape, .one_by_one = reader->one_by_one};
+    *reader = (BulkReader){.json = reader->json, .build = reader->build, .shape = *shape};
     at = json_bulk_mark(at, '{');
     for (bool more = at != NULL; more;) {
         if (!(at = read_member(reader, at)))
@@ -191,9 +164,9 @@ static const char *read_object(BulkReader *reader, const char *at, int index)
     return good && add_shape(reader) ? at : NULL;
 }
 
-bool scene_bulk_read(const Json *json, JsonSpan objects, bool one_by_one, SceneBuild *build)
+bool scene_bulk_read(const Json *json, JsonSpan objects, SceneBuild *build)
 {
-    BulkReader reader = {.json = json, .build = build, .shape = {.last_index = -1}, .one_by_one = one_by_one};
+    BulkReader reader = {.json = json, .build = build, .shape = {.last_index = -1}};
     const char *at = json_blanks(objects.begin);
     int index = 0;
     if (at == objects.end)

@@ -8,9 +8,8 @@
 #include "json/json.h"
 #include "json/json_bulk.h"
 
-/* Adds each object of the list whose inside is given. The shapes of its faces are checked by scene_build_finish. Where
- * that does not accept one, it may be a face to cut or to leave out: with `one_by_one` all go to scene_build_face.
- * False, with or without an error, where anything is not as it should be: scene_objects_read then finds out what. */
-bool scene_bulk_read(const Json *json, JsonSpan objects, bool one_by_one, SceneBuild *build);
+/* Adds each object of the list whose inside is given. The shapes of its faces are checked by scene_build_finish. False,
+ * with or without an error, where anything is not as it should be: scene_objects_read then finds out what. */
+bool scene_bulk_read(const Json *json, JsonSpan objects, SceneBuild *build);
 
 #endif

@@ -1,107 +1,19 @@
 /* The "objects" of a scene file. */
 #include "reader/scene_objects.h"
 
-#include "base/suggest.h"
 #include "base/text.h"
 #include "reader/object_model.h"
+#include "reader/scene_mesh.h"
 #include "reader/scene_transform.h"
 #include "json/json_read.h"
 
 #include <float.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 static bool fail_build(const Json *json, const cJSON *item, const SceneBuild *build)
 {
     return json_fail(json, item, "%s", build->reason);
-}
-
-/* Says that a material does not exist, with the nearest one that does. */
-static bool fail_material(const Json *json, const cJSON *item, const SceneBuild *build)
-{
-    const char **known = calloc((size_t)build->materials.count + 1, sizeof *known);
-    if (!known)
-        return error_memory(json->error, "names");
-    int count = 0;
-    for (int i = 0; i < build->materials.capacity; i++)
-        if (build->materials.slots[i].text)
-            known[count++] = build->materials.slots[i].text;
-    const char *nearest = suggest_word(item->valuestring, known);
-    free(known);
-    Quoted name = text_quote(item->valuestring);
-    if (!nearest)
-        return json_fail(json, item, "the material %s does not exist", name.text);
-    return json_fail(json, item, "the material %s does not exist; did you mean %s?", name.text,
-                     text_quote(nearest).text);
-}
-
-static bool find_material(const Json *json, const cJSON *item, const SceneBuild *build, int *material)
-{
-    const char *name = NULL;
-    if (!json_string(json, item, &name))
-        return false;
-    *material = names_find(&build->materials, name);
-    return *material >= 0 || fail_material(json, item, build);
-}
-
-static bool read_indices(const Json *json, const cJSON *face, const cJSON *list, const SceneBuild *build, int *vertices)
-{
-    int i = 0;
-    for (const cJSON *child = list->child; child; child = child->next, i++) {
-        if (!json_integer(json, child, INT_MIN, INT_MAX, &vertices[i]))
-            return false;
-        if (vertices[i] < 0 || vertices[i] >= scene_build_point_count(build))
-            return json_fail(json, face, "vertex %d does not exist; the object has %d vertices", vertices[i],
-                             scene_build_point_count(build));
-    }
-    return true;
-}
-
-static bool read_face(const Json *json, const cJSON *item, SceneBuild *build, int place)
-{
-    JsonMember keys[] = {{.name = "vertices", .required = true}, {.name = "material"}};
-    const cJSON *list = item;
-    int material = -1;
-    if (cJSON_IsObject(item)) {
-        if (!json_members(json, item, keys, JSON_COUNT(keys)))
-            return false;
-        list = keys[0].item;
-        if (keys[1].item && !find_material(json, keys[1].item, build, &material))
-            return false;
-    } else if (!cJSON_IsArray(item))
-        return json_fail_type(json, item, "a list of vertices or an object");
-    if (!json_list(json, list))
-        return false;
-    int count = cJSON_GetArraySize(list), few[4] = {0};
-    if (count < 3)
-        return json_fail(json, item, "a face has at least 3 vertices, not %d", count);
-    int *vertices = count <= 4 ? few : calloc((size_t)count, sizeof *vertices);
-    if (!vertices)
-        return error_memory(json->error, "a face");
-    bool good = read_indices(json, item, list, build, vertices) &&
-                (scene_build_face(build, vertices, count, material, place) || fail_build(json, item, build));
-    if (vertices != few)
-        free(vertices);
-    return good;
-}
-
-static bool read_faces(const Json *json, const cJSON *vertices, const cJSON *faces, SceneBuild *build)
-{
-    if (!json_list(json, vertices) || !json_list(json, faces))
-        return false;
-    for (const cJSON *child = vertices->child; child; child = child->next) {
-        Vec3 point;
-        if (!json_vec3(json, child, -DBL_MAX, DBL_MAX, &point))
-            return false;
-        if (!scene_build_point(build, point))
-            return fail_build(json, child, build);
-    }
-    int place = 0;
-    for (const cJSON *child = faces->child; child; child = child->next)
-        if (!read_face(json, child, build, place++))
-            return false;
-    return true;
 }
 
 static bool read_box(const Json *json, const cJSON *item, SceneBuild *build)
@@ -130,7 +42,7 @@ static bool read_settings(const Json *json, const JsonMember *keys, SceneBuild *
         skip = is_model; /* nobody looks at every face of a model */
     int front = 0;
     object->material = -1;
-    if (keys[MATERIAL].item && !find_material(json, keys[MATERIAL].item, build, &object->material))
+    if (keys[MATERIAL].item && !scene_mesh_material(json, keys[MATERIAL].item, build, &object->material))
         return false;
     if (keys[NONPLANAR].item && !json_choice(json, keys[NONPLANAR].item, nonplanar, 2, &split))
         return false;
@@ -188,7 +100,7 @@ static bool read_object(const Json *json, const cJSON *item, int index, SceneBui
     if (!begin_object(json, keys, index, build))
         return false;
     if (mesh)
-        return read_faces(json, keys[VERTICES].item, keys[FACES].item, build);
+        return scene_mesh_read(json, keys[VERTICES].item, keys[FACES].item, build);
     return keys[BOX].item ? read_box(json, keys[BOX].item, build)
                           : object_model_read(json, keys[OBJ].item, keys[NAME].item, build);
 }
@@ -227,5 +139,5 @@ bool scene_objects_fail_face(const Json *json, const cJSON *objects, const Scene
         free(path);
         return false;
     }
-    return fail_build(json, box ? box : cJSON_GetArrayItem(faces, build->fault->place), build);
+    return box ? fail_build(json, box, build) : scene_mesh_fail_face(json, faces, build);
 }

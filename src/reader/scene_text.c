@@ -2,6 +2,7 @@
 #include "reader/scene_text.h"
 
 #include "base/number.h"
+#include "reader/scene_cuts.h"
 #include "reader/scene_values.h"
 
 #include <stdlib.h>
@@ -21,41 +22,41 @@ static char *text_without(const char *text, long length, JsonSpan span, Error *e
     return rest;
 }
 
-static bool try_bulk(Scene *scene, const char *path, const char *text, long length, SceneBulk *bulk, Error *error)
+/* The objects straight from the text, all else through the tree. False, with or without an error, where that fails. */
+static bool load_bulk(Scene *scene, const char *path, const char *text, long length, JsonSpan objects, Error *error)
 {
     Json json;
-    char *rest = text_without(text, length, bulk->objects, error);
-    return rest && json_take(&json, path, rest, length - (bulk->objects.end - bulk->objects.begin), error) &&
-           scene_values_read(scene, &json, bulk);
+    char *rest = text_without(text, length, objects, error);
+    return rest && json_take(&json, path, rest, length - (objects.end - objects.begin), error) &&
+           scene_values_read(scene, &json, &objects);
 }
 
-/* The objects straight from the text, all else through the tree: at once, and if a face is not accepted as it is, face
- * by face. False, with or without an error, where that fails. */
-static bool load_bulk(Scene *scene, const char *path, const char *text, long length, Error *error)
+/* Everything through the tree, but for the vertices and faces of the objects. Takes over the text. */
+static bool load_cut(Scene *scene, const char *path, char *text, long length, JsonSpan objects, Error *error)
 {
-    SceneBulk bulk = {.one_by_one = false};
-    if (!json_bulk_find(text, "objects", &bulk.objects))
-        return false;
-    if (try_bulk(scene, path, text, length, &bulk, error))
-        return true;
-    bulk.one_by_one = true;
-    return bulk.has_fault && !error->kind && try_bulk(scene, path, text, length, &bulk, error);
+    Json json;
+    JsonCuts cuts;
+    if (scene_cuts_find(objects, &cuts, error))
+        return json_take_cut(&json, path, text, length, cuts, error) && scene_values_read(scene, &json, NULL);
+    free(text);
+    return false;
 }
 
 enum { LONG_TEXT = 1 << 16 }; /* bytes, from which on the table of number_prepare saves more time than it takes */
 
 bool scene_text_read(SceneWay way, Scene *scene, const char *path, char *text, long length, Error *error)
 {
-    Json json;
     Error reason = {.kind = ERROR_NONE};
+    JsonSpan objects = {text, text};
     if (length >= LONG_TEXT)
         number_prepare();
-    bool in_bulk = way != SCENE_WAY_TREE && load_bulk(scene, path, text, length, &reason);
+    bool found = way != SCENE_WAY_TREE && json_bulk_find(text, "objects", &objects);
+    bool in_bulk = found && load_bulk(scene, path, text, length, objects, &reason);
     if (in_bulk || way == SCENE_WAY_BULK || reason.kind == ERROR_SYSTEM) {
         free(text);
         return in_bulk || (reason.kind && error_set(error, reason.kind, "%s", reason.text));
     }
-    return json_take(&json, path, text, length, error) && scene_values_read(scene, &json, NULL);
+    return load_cut(scene, path, text, length, objects, error);
 }
 
 bool scene_text_move(Scene *scene, const char *path, char *text, Error *error)

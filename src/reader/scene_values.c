@@ -187,10 +187,10 @@ static bool check_schema(const Json *json, const cJSON *item)
 }
 
 /* bulk NULL: the tree has the objects. */
-static bool read_objects(const Json *json, const cJSON *list, const SceneBulk *bulk, SceneBuild *build)
+static bool read_objects(const Json *json, const cJSON *list, const JsonSpan *bulk, SceneBuild *build)
 {
     if (bulk)
-        return scene_bulk_read(json, bulk->objects, bulk->one_by_one, build);
+        return scene_bulk_read(json, *bulk, build);
     return !list || scene_objects_read(json, list, build);
 }
 
@@ -206,7 +206,7 @@ static const JsonMember scene_keys[SCENE_KEYS] = {
     [SCHEMA] = {.name = "$schema"},      /* for editors */
 };
 
-static bool read_scene(const Json *json, const SceneBulk *bulk, Scene *scene, SceneBuild *build)
+static bool read_scene(const Json *json, const JsonSpan *bulk, Scene *scene, SceneBuild *build)
 {
     JsonMember keys[SCENE_KEYS];
     memcpy(keys, scene_keys, sizeof keys);
@@ -219,12 +219,10 @@ static bool read_scene(const Json *json, const SceneBulk *bulk, Scene *scene, Sc
     return scene_build_finish(build) || (!bulk && fail_finish(json, keys, build));
 }
 
-bool scene_values_read(Scene *scene, Json *json, SceneBulk *bulk)
+bool scene_values_read(Scene *scene, Json *json, const JsonSpan *objects)
 {
     SceneBuild build = {.scene = scene, .error = json->error, .path = json->name};
-    bool good = read_scene(json, bulk, scene, &build);
-    if (bulk)
-        bulk->has_fault = build.fault != NULL;
+    bool good = read_scene(json, objects, scene, &build);
     scene_build_free(&build);
     json_free(json);
     if (!good)
