@@ -27,7 +27,7 @@ clang: ## build the program and its tests with clang, warnings being errors
 	@$(MAKE) --no-print-directory programs CC=clang BUILD=build/clang
 
 .PHONY: programs
-programs: $(PROGRAM) $(UNIT_TESTS) $(STRESS) $(FAULTS) $(RANDOM_COMPARE)
+programs: $(PROGRAM) $(UNIT_TESTS) $(STRESS) $(FAULTS) $(SHIM) $(RANDOM_COMPARE)
 
 # --- Faults and inputs nobody thought of ------------------------------------------------------------------------
 

@@ -1,5 +1,5 @@
 /* The exact pass of gpu.cl: the pixels on its list, in the exact arithmetic of the plain kernel. */
-#include "plain.cl"
+#include PLAIN
 #include "gpu/pixels.cl"
 
 /* The sum of a pixel's colours, those of its shares in doubt included. */

@@ -11,21 +11,24 @@ PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 FLOORS = {
     "src": ["base", "json", "scene", "reader", "trace", "opencl", "picture", "walkthrough", "library", "grade", "page",
             "bench", "command", ""],
-    "kernels": ["shared", "plain", "gpu", "packet", "tile", "adaptive", ""],
+    "kernels": ["shared", "plain", "gpu", "pairs", "packet", "tile", "adaptive", ""],
 }
 
 # Folders that do not know each other, although one stands before the other.
 APART = {("json", "scene"), ("opencl", "picture"), ("opencl", "walkthrough"), ("picture", "walkthrough"),
          ("tile", "adaptive"),
          ("plain", "packet"), ("plain", "tile"), ("plain", "adaptive"),
-         ("gpu", "packet"), ("gpu", "tile"), ("gpu", "adaptive")}
+         ("gpu", "packet"), ("gpu", "tile"), ("gpu", "adaptive"),
+         ("pairs", "packet"), ("pairs", "tile"), ("pairs", "adaptive")}
 
 # What an included name stands for that the host chooses: opencl_sources.h.
 CHOICES = {"TREE": ["packet/bvh.cl", "packet/kdtree.cl", "packet/all_faces.cl"],
            "BEAM_TREE": ["adaptive/beam_bvh.cl", "adaptive/beam_kdtree.cl", "adaptive/beam_all_faces.cl"],
            "PLAIN_TREE": ["plain/bvh.cl", "plain/kdtree.cl", "plain/all_faces.cl"],
            "GPU_TREE": ["gpu/bvh.cl", "gpu/kdtree.cl", "gpu/all_faces.cl"],
-           "ARITHMETIC": ["plain/exact_arithmetic.cl", "plain/textbook_arithmetic.cl"]}
+           "ARITHMETIC": ["plain/exact_arithmetic.cl", "plain/textbook_arithmetic.cl"],
+           "PLAIN": ["plain.cl", "pairs.cl"],
+           "FOLLOW": ["follow_plain.cl", "follow_pairs.cl"]}
 
 
 def sources(top):

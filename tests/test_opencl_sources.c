@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 static const char *const ROOTS[] = {
-    "tile/render.cl", "packet/render.cl", "packet/cast.cl",  "adaptive/refine.cl",    "plain.cl",
-    "gpu.cl",         "gpu_exact.cl",     "gpu_adaptive.cl", "gpu_adaptive_exact.cl", "gpu_judge.cl"};
+    "tile/render.cl", "packet/render.cl", "packet/cast.cl",        "adaptive/refine.cl", "plain.cl", "gpu.cl",
+    "gpu_exact.cl",   "gpu_adaptive.cl",  "gpu_adaptive_exact.cl", "gpu_judge.cl",       "pairs.cl", "pairs/cast.cl"};
 enum { ROOT_COUNT = sizeof ROOTS / sizeof ROOTS[0] };
 static const char *const TREES[] = {"bvh", "kdtree", "all_faces"};
 

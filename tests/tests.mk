@@ -17,6 +17,7 @@ RANDOM_COMPARE := $(BUILD)/compare_scenes
 SCRIPT_TEST_PROGRAMS := $(if $(filter %/stress_test.sh,$(SCRIPT_TESTS)),$(STRESS)) \
     $(if $(filter %/faults_test.py,$(SCRIPT_TESTS)),$(FAULTS)) \
     $(if $(filter %/devices_test.py %/gpu_check_test.py,$(SCRIPT_TESTS)),$(SHIM)) \
+    $(if $(filter %/devices_test.py,$(SCRIPT_TESTS)),$(STRESS)) \
     $(if $(filter %/random_scenes_test.sh,$(SCRIPT_TESTS)),$(RANDOM_COMPARE))
 
 STRESS_OBJECTS := $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/stress/*.c)) $(BUILD)/tests/support/oracle.o
@@ -56,7 +57,7 @@ $(BUILD)/tests/test_oracle: $(BUILD)/tests/support/oracle.o
 $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(patsubst %,$(BUILD)/tests/support/%.o,coverage polygon)
 $(BUILD)/tests/test_polygon_cut: $(patsubst %,$(BUILD)/tests/support/%.o,polygon random_polygon)
 $(BUILD)/tests/test_scene_polygon: $(patsubst %,$(BUILD)/tests/support/%.o,coverage polygon random_polygon)
-$(patsubst %,$(BUILD)/tests/test_%,oracle truth convergence polygon_cut scene_polygon): LIBS += -lgmp
+$(patsubst %,$(BUILD)/tests/test_%,oracle pairs truth convergence polygon_cut scene_polygon): LIBS += -lgmp
 
 $(patsubst %,$(BUILD)/tests/test_%,backends plain gpu): $(BUILD)/tests/support/near_edge.o
 $(patsubst %,$(BUILD)/tests/test_%,plain gpu gpu_adaptive textbook): $(BUILD)/tests/support/plain_picture.o
@@ -89,9 +90,9 @@ $(STRESS): $(STRESS_OBJECTS) $(LIBRARY)
 	$(Q)$(LINK) $^ $(LIBS) -lgmp -o $@
 
 $(BUILD)/tests/stress/%.o: CPPFLAGS += -Itests -I$(BUILD)/tests/stress
-$(BUILD)/tests/stress/probe_sources.o: $(BUILD)/tests/stress/probe_cl.inc
+$(BUILD)/tests/stress/probe_sources.o: $(patsubst %,$(BUILD)/tests/stress/%_cl.inc,probe probe_pairs)
 
-$(BUILD)/tests/stress/probe_cl.inc: tests/stress/probe.cl
+$(BUILD)/tests/stress/%_cl.inc: tests/stress/%.cl
 	@mkdir -p $(@D)
 	@od -An -v -tu1 $< | sed 's/  */ /g; s/\([0-9]\) /\1, /g; s/$$/,/' > $@
 

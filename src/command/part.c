@@ -58,7 +58,7 @@ static uint64_t hash_kernels(uint64_t hash, Arithmetic arithmetic)
 {
     static const char *const roots[] = {"tile/render.cl", "packet/render.cl", "adaptive/refine.cl",    "gpu.cl",
                                         "gpu_exact.cl",   "gpu_adaptive.cl",  "gpu_adaptive_exact.cl", "gpu_judge.cl",
-                                        "plain.cl"},
+                                        "plain.cl",       "pairs.cl"},
                              *const trees[] = {"all_faces", "bvh", "kdtree"};
     for (size_t root = 0; root < sizeof roots / sizeof *roots; root++) {
         for (size_t tree = 0; tree < sizeof trees / sizeof *trees; tree++) {

@@ -24,14 +24,22 @@ static bool check_language(const DeviceInfo *info, Error *error)
                      info->name, info->c_version);
 }
 
-/* The kernel for GPUs is float's, and has exact arithmetic only. */
+/* The kernel for GPUs is float's, and has exact arithmetic only. Without double it is right where packets are not: its
+ * exact pass computes in pairs of floats. */
 static KernelKind kernel_for(const OpenclSession *session, const RenderSettings *settings)
 {
     if (settings->kernel != KERNEL_AUTO)
         return settings->kernel;
-    bool suits = strcmp(session->info.type, "CPU") != 0 && session->info.lanes_float == 1 && settings->lanes == 0 &&
+    bool is_gpu = strcmp(session->info.type, "CPU") != 0 && session->info.lanes_float == 1;
+    bool suits = (is_gpu || !session->info.has_double) && settings->lanes == 0 &&
                  settings->precision == PRECISION_FLOAT && !session->casts;
     return suits ? KERNEL_GPU : KERNEL_PACKET;
+}
+
+/* Does exact arithmetic of one ray compute in pairs of floats? Textbook arithmetic knows one precision. */
+static bool has_pairs(const OpenclSession *session)
+{
+    return !session->info.has_double && session->arithmetic == ARITHMETIC_EXACT;
 }
 
 static bool choose_lanes(OpenclSession *session, const RenderSettings *settings, Error *error)
@@ -48,7 +56,8 @@ static bool choose_lanes(OpenclSession *session, const RenderSettings *settings,
     session->lanes = is_double ? session->info.lanes_double : session->info.lanes_float;
     if (settings->lanes > 0)
         session->lanes = settings->lanes;
-    if (session->kernel != KERNEL_PACKET)
+    session->casts_pairs = session->casts && has_pairs(session) && settings->lanes == 0;
+    if (session->kernel != KERNEL_PACKET || session->casts_pairs)
         session->lanes = 1;
     session->packet_columns = session->lanes == 16 ? 4 : session->lanes >= 4 ? session->lanes / 2 : 1;
     session->packets_across = session->lanes > 1 ? 2 : 1;
@@ -108,9 +117,9 @@ static const char *root_of(const OpenclSession *session, int program)
                                            [PROGRAM_EXACT] = "gpu_adaptive_exact.cl",
                                            [PROGRAM_JUDGE] = "gpu_judge.cl"};
     if (session->casts)
-        return "packet/cast.cl";
+        return session->casts_pairs ? "pairs/cast.cl" : "packet/cast.cl";
     if (session->kernel == KERNEL_PLAIN)
-        return "plain.cl";
+        return has_pairs(session) ? "pairs.cl" : "plain.cl";
     if (session->kernel == KERNEL_GPU)
         return session->adaptive ? adaptive[program] : uniform[program];
     if (session->adaptive)
@@ -203,7 +212,8 @@ static bool make_program(OpenclSession *session, int which, Variant variant, Ren
     if (made->program)
         clReleaseProgram(made->program);
     *made = (OpenclProgram){0};
-    char *sources = opencl_sources(root, tree_of(variant.accel), render_arithmetics[session->arithmetic], error);
+    const char *arithmetic = has_pairs(session) ? OPENCL_PAIRS : render_arithmetics[session->arithmetic];
+    char *sources = opencl_sources(root, tree_of(variant.accel), arithmetic, error);
     if (!sources)
         return false;
     made->key = opencl_kept_key(&session->info, root, sources, options);

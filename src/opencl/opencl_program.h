@@ -29,6 +29,7 @@ typedef struct OpenclSession {
     int block_across;                   /* so many tiles side by side, and below one another, are a work-item's */
     int block_columns, block_rows;      /* their pixels */
     bool wide_is_double;                /* t comes back as double */
+    bool casts_pairs;                   /* each number of a ray, and t, is two floats: the device has no double */
     KernelKind kernel;                  /* not KERNEL_AUTO */
     Arithmetic arithmetic;
     bool adaptive; /* the kernel is `render_adaptive`, or those of gpu_adaptive.cl */

@@ -108,6 +108,7 @@ static bool included_file(const Expansion *e, const char *line, const char *from
     }
     if (sscanf(line, "# include %255s", word) != 1)
         return false;
+    const char *plain = strcmp(e->arithmetic, OPENCL_PAIRS) == 0 ? OPENCL_PAIRS : "plain";
     const struct {
         const char *word, *form, *choice;
     } choices[] = {
@@ -116,6 +117,8 @@ static bool included_file(const Expansion *e, const char *line, const char *from
         {"PLAIN_TREE", "plain/%s.cl", e->tree},
         {"GPU_TREE", "gpu/%s.cl", e->tree},
         {"ARITHMETIC", "plain/%s_arithmetic.cl", e->arithmetic},
+        {"PLAIN", "%s.cl", plain},
+        {"FOLLOW", "follow_%s.cl", plain},
     };
     for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)
         if (strcmp(word, choices[i].word) == 0)

@@ -37,7 +37,7 @@ def copy_tree(folder):
         subprocess.run(["cp", "-a", name, folder], check=True)
     os.makedirs(f"{folder}/build")
     for name in ["src", "tests", "unity", "kernel_sources.c", "kernel_sources.o", "rectray-parts.a", "stress",
-                 "rectray",
+                 "rectray", "shims",
                  ".libraries-found"]:
         if os.path.exists(f"build/{name}"):
             subprocess.run(["cp", "-a", f"build/{name}", f"{folder}/build"], check=True)

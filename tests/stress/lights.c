@@ -18,6 +18,8 @@ static void light_at(Suite *suite, const char *where, Vec3 position, bool lit)
     suite_row(suite, "light %s", where);
     const double ray[6] = {0, 0, 3, 0, 0, -1};
     for (Method method = KERNEL_FLOAT; method < METHOD_COUNT; method++) {
+        if (!method_is_here(suite, method))
+            continue;
         double colour[3];
         RenderReport report = {0};
         const Tracer tracer = {.scene = &scene, .report = &report};
@@ -64,6 +66,8 @@ static void powers_to(Suite *suite, double exponent)
         pairs[2 * i + 1] = (double)(float)exponent;
     }
     for (Method method = KERNEL_FLOAT; method <= KERNEL_DOUBLE; method++) {
+        if (!method_is_here(suite, method))
+            continue;
         probe_powers(&suite->probes[method == KERNEL_DOUBLE], pairs, PAIRS, powers);
         double most = 0;
         for (int i = 0; i < PAIRS; i++) {

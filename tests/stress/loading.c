@@ -37,6 +37,13 @@ static double random_pattern(Random *random)
     return (double)number;
 }
 
+/* Two faces of which a device without double may not tell the nearer: their t are within 2 ulp of a float. */
+static bool is_tie_of_pairs(const Suite *suite, CastHit a, CastHit b)
+{
+    return !method_is_here(suite, KERNEL_DOUBLE) && a.face >= 0 && b.face >= 0 &&
+           fabs(a.t - b.t) <= 2 * method_ulp(KERNEL_FLOAT, b.t);
+}
+
 /* Rays at the middle of the face: any answer, but no nonsense, and the same from kernel and reference. */
 static void trace_pattern(Suite *suite, const Scene *scene)
 {
@@ -50,8 +57,11 @@ static void trace_pattern(Suite *suite, const Scene *scene)
             rays[6 * i + 3 + axis] =
                 ((double)face->vertices[i % 4][axis] + (double)face->vertices[2][axis]) / 2 - rays[6 * i + axis];
     }
+    method_round_to_device(suite, rays, 6 * 16);
     suite_load(suite, scene);
     for (Method method = KERNEL_FLOAT; method < METHOD_COUNT; method++) {
+        if (!method_is_here(suite, method))
+            continue;
         method_nearest(suite, method, rays, 16, hits[method]);
         suite_rays(suite, method, 16);
     }
@@ -59,10 +69,11 @@ static void trace_pattern(Suite *suite, const Scene *scene)
         CastHit expected = hits[REFERENCE][i];
         if (expected.face >= 0 && !(isfinite(expected.t) && expected.t >= 0))
             suite_fail(suite, REFERENCE, rays + 6 * i, "t = %g", expected.t);
-        if (memcmp(&hits[KERNEL_DOUBLE][i].t, &expected.t, sizeof(double)) != 0 ||
-            hits[KERNEL_DOUBLE][i].face != expected.face)
+        if (method_is_here(suite, KERNEL_DOUBLE) &&
+            (memcmp(&hits[KERNEL_DOUBLE][i].t, &expected.t, sizeof(double)) != 0 ||
+             hits[KERNEL_DOUBLE][i].face != expected.face))
             suite_fail(suite, KERNEL_DOUBLE, rays + 6 * i, "not what the reference says");
-        if (hits[KERNEL_FLOAT][i].face != expected.face)
+        if (hits[KERNEL_FLOAT][i].face != expected.face && !is_tie_of_pairs(suite, hits[KERNEL_FLOAT][i], expected))
             suite_fail(suite, KERNEL_FLOAT, rays + 6 * i, "not the face that the reference says");
     }
 }

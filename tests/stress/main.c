@@ -155,7 +155,8 @@ int main(int argument_count, char **arguments)
 
     suite.rows = calloc(MAX_ROWS, sizeof *suite.rows);
     probe_open(&suite.probes[0], PRECISION_FLOAT);
-    probe_open(&suite.probes[1], PRECISION_DOUBLE);
+    if (suite.probes[0].session.info.has_double)
+        probe_open(&suite.probes[1], PRECISION_DOUBLE);
     fprintf(stderr, "stress: seed %llu, scale %g, %s\n", (unsigned long long)suite.seed, suite.scale,
             suite.probes[0].session.info.name);
     int ran = 0, passed = 0;

@@ -37,6 +37,19 @@ void method_round(Method method, double *numbers, long count)
             numbers[i] = (double)(float)numbers[i];
 }
 
+bool method_is_here(const Suite *suite, Method method)
+{
+    return method != KERNEL_DOUBLE || suite->probes[1].session.context;
+}
+
+void method_round_to_device(const Suite *suite, double *numbers, long count)
+{
+    for (long i = 0; i < count && !method_is_here(suite, KERNEL_DOUBLE); i++) {
+        float high = (float)numbers[i];
+        numbers[i] = (double)high + (double)(float)(numbers[i] - (double)high);
+    }
+}
+
 static Ray ray_at(const double *numbers)
 {
     return (Ray){vec3_at(numbers), vec3_at(numbers + 3)};
@@ -54,7 +67,8 @@ void suite_load(Suite *suite, const Scene *scene)
     suite->scene = scene;
     stop_unless(accel_build(&suite->accel, scene, ACCEL_AUTO, 0, &error), &error);
     probe_load(&suite->probes[0], scene);
-    probe_load(&suite->probes[1], scene);
+    if (method_is_here(suite, KERNEL_DOUBLE))
+        probe_load(&suite->probes[1], scene);
 }
 
 static void nearest_by_tree(const Suite *suite, Method method, const double *rays, long count, CastHit *hits)

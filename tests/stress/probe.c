@@ -1,6 +1,7 @@
 /* The OpenCL calls around the probe kernels. */
 #include "probe.h"
 
+#include "opencl/opencl_cast.h"
 #include "opencl/opencl_status.h"
 
 #include <stdio.h>
@@ -91,22 +92,20 @@ void probe_load(Probe *probe, const Scene *scene)
     device_scene_free(&packed);
 }
 
-static size_t real_bytes(bool is_double)
-{
-    return is_double ? sizeof(double) : sizeof(float);
-}
-
 /* `count` doubles as the device's wides. */
 static cl_mem new_wides(Probe *probe, const double *numbers, size_t count)
 {
-    if (probe->session.wide_is_double)
-        return new_buffer(probe, count * sizeof(double), numbers);
-    float *floats = malloc(count * sizeof *floats);
-    for (size_t i = 0; i < count; i++)
-        floats[i] = (float)numbers[i];
-    cl_mem buffer = new_buffer(probe, count * sizeof *floats, floats);
-    free(floats);
+    void *data = malloc(count * opencl_cast_bytes(&probe->session));
+    opencl_cast_put(&probe->session, numbers, count, data);
+    cl_mem buffer = new_buffer(probe, count * opencl_cast_bytes(&probe->session), data);
+    free(data);
     return buffer;
+}
+
+/* Room for so many of them. */
+static cl_mem room_for_wides(Probe *probe, size_t count)
+{
+    return new_buffer(probe, count * opencl_cast_bytes(&probe->session), NULL);
 }
 
 static void read_buffer(Probe *probe, cl_mem buffer, size_t bytes, void *data)
@@ -115,9 +114,23 @@ static void read_buffer(Probe *probe, cl_mem buffer, size_t bytes, void *data)
           "clEnqueueReadBuffer");
 }
 
-static void read_reals(Probe *probe, cl_mem buffer, size_t count, bool is_double, double *out)
+static void read_wides(Probe *probe, cl_mem buffer, size_t count, double *out)
 {
-    if (is_double) {
+    size_t bytes = count * opencl_cast_bytes(&probe->session);
+    void *data = malloc(bytes);
+    read_buffer(probe, buffer, bytes, data);
+    opencl_cast_get(&probe->session, data, count, out);
+    free(data);
+}
+
+static size_t real_bytes(const Probe *probe)
+{
+    return probe->session.precision == PRECISION_DOUBLE ? sizeof(double) : sizeof(float);
+}
+
+static void read_reals(Probe *probe, cl_mem buffer, size_t count, double *out)
+{
+    if (probe->session.precision == PRECISION_DOUBLE) {
         read_buffer(probe, buffer, count * sizeof *out, out);
         return;
     }
@@ -143,9 +156,10 @@ static void run(Probe *probe, const char *name, const cl_mem *arguments, int arg
     clReleaseKernel(kernel);
 }
 
-static bool real_is_double(const Probe *probe)
+/* Of the arguments so many: the last one, the view, is for pairs only. */
+static int without_view(const Probe *probe, int count)
 {
-    return probe->session.precision == PRECISION_DOUBLE;
+    return probe->session.casts_pairs ? count : count - 1;
 }
 
 static void read_hits(Probe *probe, cl_mem faces, cl_mem t, long count, CastHit *hits)
@@ -153,7 +167,7 @@ static void read_hits(Probe *probe, cl_mem faces, cl_mem t, long count, CastHit 
     cl_int *face = malloc((size_t)count * sizeof *face);
     double *parameter = malloc((size_t)count * sizeof *parameter);
     read_buffer(probe, faces, (size_t)count * sizeof *face, face);
-    read_reals(probe, t, (size_t)count, probe->session.wide_is_double, parameter);
+    read_wides(probe, t, (size_t)count, parameter);
     for (long i = 0; i < count; i++)
         hits[i] = (CastHit){face[i], parameter[i]};
     free(face);
@@ -165,10 +179,10 @@ void probe_nearest(Probe *probe, const double *rays, long count, CastHit *hits)
     size_t lanes = (size_t)probe->session.lanes;
     cl_mem input = new_wides(probe, rays, (size_t)count * 6);
     cl_mem faces = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
-    cl_mem t = new_buffer(probe, (size_t)count * real_bytes(probe->session.wide_is_double), NULL);
+    cl_mem t = room_for_wides(probe, (size_t)count);
     cl_mem arguments[] = {probe->parameters, probe->faces,     probe->face_rows, probe->planes, input, faces, t,
-                          probe->counters,   probe->face_rows, probe->faces}; /* no tree: never read */
-    run(probe, "cast", arguments, 10, count, ((size_t)count + lanes - 1) / lanes);
+                          probe->counters,   probe->face_rows, probe->faces,     probe->view}; /* no tree: never read */
+    run(probe, "cast", arguments, without_view(probe, 11), count, ((size_t)count + lanes - 1) / lanes);
     read_hits(probe, faces, t, count, hits);
     clReleaseMemObject(input);
     clReleaseMemObject(faces);
@@ -179,8 +193,8 @@ void probe_counts(Probe *probe, const double *rays, long count, int *counts)
 {
     cl_mem input = new_wides(probe, rays, (size_t)count * 6);
     cl_mem output = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
-    cl_mem arguments[] = {probe->parameters, probe->faces, probe->face_rows, probe->planes, input, output};
-    run(probe, "probe_counts", arguments, 6, count, (size_t)count);
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->face_rows, probe->planes, input, output, probe->view};
+    run(probe, "probe_counts", arguments, without_view(probe, 7), count, (size_t)count);
     read_buffer(probe, output, (size_t)count * sizeof(cl_int), counts);
     clReleaseMemObject(input);
     clReleaseMemObject(output);
@@ -191,8 +205,9 @@ void probe_blocked(Probe *probe, const double *segments, const int *left, long c
     cl_mem input = new_wides(probe, segments, (size_t)count * 6);
     cl_mem leaving = new_buffer(probe, (size_t)count * sizeof(cl_int), left);
     cl_mem output = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
-    cl_mem arguments[] = {probe->parameters, probe->faces, probe->face_rows, probe->planes, input, leaving, output};
-    run(probe, "probe_blocked", arguments, 7, count, (size_t)count);
+    cl_mem arguments[] = {probe->parameters, probe->faces, probe->face_rows, probe->planes, input,
+                          leaving,           output,       probe->view};
+    run(probe, "probe_blocked", arguments, without_view(probe, 8), count, (size_t)count);
     read_buffer(probe, output, (size_t)count * sizeof(cl_int), blocked);
     clReleaseMemObject(input);
     clReleaseMemObject(leaving);
@@ -203,8 +218,8 @@ void probe_points(Probe *probe, const double *rays, long count, CastHit *hits, d
 {
     cl_mem input = new_wides(probe, rays, (size_t)count * 6);
     cl_mem faces = new_buffer(probe, (size_t)count * sizeof(cl_int), NULL);
-    cl_mem t = new_buffer(probe, (size_t)count * real_bytes(probe->session.wide_is_double), NULL);
-    cl_mem output = new_buffer(probe, (size_t)count * 6 * real_bytes(probe->session.wide_is_double), NULL);
+    cl_mem t = room_for_wides(probe, (size_t)count);
+    cl_mem output = room_for_wides(probe, (size_t)count * 6);
     cl_mem arguments[] = {probe->parameters,
                           probe->faces,
                           probe->face_rows,
@@ -219,7 +234,7 @@ void probe_points(Probe *probe, const double *rays, long count, CastHit *hits, d
     run(probe, "probe_points", arguments, 11, count, (size_t)count);
     read_hits(probe, faces, t, count, hits);
     double *both = malloc((size_t)count * 6 * sizeof *both);
-    read_reals(probe, output, (size_t)count * 6, probe->session.wide_is_double, both);
+    read_wides(probe, output, (size_t)count * 6, both);
     for (long i = 0; i < count; i++) {
         memcpy(points + 3 * i, both + 6 * i, 3 * sizeof *points);
         memcpy(shifted + 3 * i, both + 6 * i + 3, 3 * sizeof *shifted);
@@ -234,7 +249,7 @@ void probe_points(Probe *probe, const double *rays, long count, CastHit *hits, d
 void probe_colours(Probe *probe, const double *rays, long count, double *colours)
 {
     cl_mem input = new_wides(probe, rays, (size_t)count * 6);
-    cl_mem output = new_buffer(probe, (size_t)count * 3 * real_bytes(real_is_double(probe)), NULL);
+    cl_mem output = new_buffer(probe, (size_t)count * 3 * real_bytes(probe), NULL);
     cl_mem arguments[] = {probe->parameters,
                           probe->faces,
                           probe->face_rows,
@@ -245,7 +260,7 @@ void probe_colours(Probe *probe, const double *rays, long count, double *colours
                           input,
                           output};
     run(probe, "probe_colours", arguments, 9, count, (size_t)count);
-    read_reals(probe, output, (size_t)count * 3, real_is_double(probe), colours);
+    read_reals(probe, output, (size_t)count * 3, colours);
     clReleaseMemObject(input);
     clReleaseMemObject(output);
 }
@@ -253,10 +268,10 @@ void probe_colours(Probe *probe, const double *rays, long count, double *colours
 void probe_powers(Probe *probe, const double *pairs, long count, double *powers)
 {
     cl_mem input = new_wides(probe, pairs, (size_t)count * 2);
-    cl_mem output = new_buffer(probe, (size_t)count * real_bytes(real_is_double(probe)), NULL);
+    cl_mem output = new_buffer(probe, (size_t)count * real_bytes(probe), NULL);
     cl_mem arguments[] = {probe->parameters, input, output};
     run(probe, "probe_powers", arguments, 3, count, (size_t)count);
-    read_reals(probe, output, (size_t)count, real_is_double(probe), powers);
+    read_reals(probe, output, (size_t)count, powers);
     clReleaseMemObject(input);
     clReleaseMemObject(output);
 }

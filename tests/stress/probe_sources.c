@@ -10,10 +10,22 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The text of probe.cl, byte by byte. */
+/* The texts of probe.cl and probe_pairs.cl, byte by byte. */
 static const char probe_kernels[] = {
 #include "probe_cl.inc"
     0};
+
+static const char probe_pairs_kernels[] = {
+#include "probe_pairs_cl.inc"
+    0};
+
+/* What stands behind a kernel file of the product. */
+static const char *text_behind(const char *name)
+{
+    return strcmp(name, "packet/cast.cl") == 0  ? probe_kernels
+           : strcmp(name, "pairs/cast.cl") == 0 ? probe_pairs_kernels
+                                                : "";
+}
 
 static void write_source(const char *folder, const char *name, const char *text, const char *more)
 {
@@ -34,7 +46,7 @@ static void write_sources(const char *folder)
 {
     const char *from = getenv("RECTRAY_KERNELS");
     for (int i = 0; i < kernel_source_count; i++) {
-        const char *more = strcmp(kernel_sources[i].name, "packet/cast.cl") == 0 ? probe_kernels : "";
+        const char *more = text_behind(kernel_sources[i].name);
         if (!from) {
             write_source(folder, kernel_sources[i].name, kernel_sources[i].text, more);
             continue;

@@ -130,6 +130,8 @@ static void self_hits_at(Suite *suite, double size, double offset)
     suite_row(suite, "size %g, offset %g", size, offset);
     aim_at_square(&shots, &suite->random, &rotation, centre, size);
     for (Method method = 0; method < METHOD_COUNT; method++) {
+        if (!method_is_here(suite, method))
+            continue;
         suite_load(suite, &alone);
         method_points(suite, method, shots.rays, shots.count, shots.hits, shots.points, shots.shifted);
         check_points(suite, method, &shots);
@@ -169,6 +171,8 @@ static void coplanar_tiles(Suite *suite, double offset)
     suite_row(suite, "coplanar tiles, offset %g: acne", offset);
     aim_at_square(&shots, &suite->random, &sheet.rotation, sheet.centre, 8 * spacing);
     for (Method method = 0; method < METHOD_COUNT; method++) {
+        if (!method_is_here(suite, method))
+            continue;
         method_points(suite, method, shots.rays, shots.count, shots.hits, shots.points, shots.shifted);
         segments_to(&shots, light, true);
         method_blocked(suite, method, shots.segments, shots.left, shots.count, shots.blocked);
@@ -188,10 +192,13 @@ static void judge_segments(Suite *suite, Shots *shots)
 {
     for (long i = 0; i < shots->count; i++)
         shots->left[i] = -1;
+    method_round_to_device(suite, shots->segments, 6 * shots->count);
     int *truth = malloc((size_t)shots->count * sizeof *truth);
     for (long i = 0; i < shots->count; i++)
         truth[i] = true_blocked(suite->scene, shots->segments + 6 * i, -1);
     for (Method method = 0; method < METHOD_COUNT; method++) {
+        if (!method_is_here(suite, method))
+            continue;
         method_blocked(suite, method, shots->segments, shots->left, shots->count, shots->blocked);
         suite_rays(suite, method, shots->count);
         for (long i = 0; i < shots->count; i++)

@@ -50,6 +50,8 @@ void suite_rays(Suite *suite, Method method, long rays)
 void suite_measure(Suite *suite, Method method, long rays, double value, double limit)
 {
     Row *row = current(suite);
+    if (!method_is_here(suite, method))
+        return;
     row->measured = true;
     row->rays[method] = rays;
     row->value[method] = value;
@@ -127,9 +129,12 @@ static void run_batch(Suite *suite, const Cast *cast, Batch *batch, bool floats)
     for (long i = 0; i < batch->count; i++)
         cast->aim(cast->user, &suite->random, batch->rays + 6 * i);
     method_round(floats ? TEXTBOOK : REFERENCE, batch->rays, 6 * batch->count);
+    method_round_to_device(suite, batch->rays, 6 * batch->count);
     for (long i = 0; i < batch->count; i++)
         batch->truths[i] = cast->truth ? cast->truth(suite->scene, batch->rays + 6 * i) : 0;
     for (Method method = 0; method < METHOD_COUNT; method++) {
+        if (!method_is_here(suite, method))
+            continue;
         Batch part = *batch;
         if (method == TEXTBOOK)
             part.count = floats ? textbook_share(suite, batch->count) : 0;

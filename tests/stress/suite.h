@@ -39,6 +39,9 @@ typedef struct Suite {
 bool method_is_float(Method method);
 const char *method_name(Method method);
 
+/* Is the method there? A device without double has no kernel in double. */
+bool method_is_here(const Suite *suite, Method method);
+
 /* count, scaled, at least one. */
 long suite_count(const Suite *suite, double count);
 
@@ -58,7 +61,8 @@ void suite_fail(Suite *suite, Method method, const double *ray, const char *form
 /* One measured value and the most it may be; limit < 0: any. */
 void suite_measure(Suite *suite, Method method, long rays, double value, double limit);
 
-/* Rays by the batch. Half of the batches hold floats and go to all methods; half hold doubles: not to the textbook. */
+/* Rays by the batch. Half of the batches hold floats and go to all methods; half hold doubles: not to the textbook.
+ * Where the device has no double, they hold what pairs of floats can. */
 typedef struct Cast {
     double count;
     void *user;
@@ -75,6 +79,7 @@ void suite_cast(Suite *suite, const Cast *cast);
 
 /* What each method says; the textbook wants rays of floats, as method_round makes them. */
 void method_round(Method method, double *numbers, long count);
+void method_round_to_device(const Suite *suite, double *numbers, long count);
 void method_nearest(Suite *suite, Method method, const double *rays, long count, CastHit *hits);
 void method_counts(Suite *suite, Method method, const double *rays, long count, CastHit *hits);
 void method_blocked(Suite *suite, Method method, const double *segments, const int *left, long count, int *blocked);
