@@ -71,6 +71,7 @@ build/language-server/node_modules:
 soak: ## hours of tests: the suites at length, lint, stress, mutants, random scenes, fuzz, oclgrind, valgrind, coverage
 	@RECTRAY_SOAK=1 $(MAKE) --no-print-directory test
 	@$(MAKE) --no-print-directory lint stress mutants oclgrind valgrind coverage test-deb test-cluster
+	@SHIM_NO_DOUBLE=1 LD_PRELOAD=$(abspath $(SHIM)) $(STRESS) --scale 0.1 2>/dev/null
 	@$(MAKE) --no-print-directory random-scenes COUNT=10000
 	@tests/soak/grade_mutants.py
 	@$(MAKE) --no-print-directory fuzz SECONDS=1800
