@@ -1,5 +1,6 @@
 /* A path from the camera on, in float: steps 1 and 6 to 9, in the order of plain.cl. The ray on its way is one of the
  * path, or a shadow ray from the path's last point. Whatever can be computed again or read again is not kept. */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "plain/scene.cl"
@@ -127,7 +128,7 @@ static FloatRay shadow_ray(const FloatHit *hit, float3 to, float distance)
 static void add_colour(local float *total, float3 colour) { vstore3(vload3(0, total) + colour, 0, total); }
 
 /* Steps 3 to 9: adds the sum of the hits' illuminations. False: the path is in doubt, and what it added worthless. */
-static bool trace_path(Scene *scene, FloatRay ray, Trail trail, local float *total)
+INLINE bool trace_path(Scene *scene, FloatRay ray, Trail trail, local float *total)
 {
     constant const Parameters *p = scene->parameters;
     float weight = 1, end = INFINITY, end_error = 0;

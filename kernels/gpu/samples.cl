@@ -1,5 +1,7 @@
 /* A pixel's samples, traced one after another by one work-item. Its sums lie in the memory of the group: registers are
- * for the search. */
+ * for the search. A function that two kernels of a program call is inlined in both: for a call it would take 128 bytes
+ * of private memory. */
+#include "shared/compiler.cl"
 #include "shared/layout.h"
 #include "shared/precision.cl"
 #include "plain/scene.cl"
@@ -7,7 +9,7 @@
 #include "gpu/pixels.cl"
 
 /* Traces the samples of the pixel in that column and row of the picture. trail: of the last one. */
-static void sample_pixel(Scene *scene, int column, int row, Trail trail, local PixelSums *sums,
+INLINE void sample_pixel(Scene *scene, int column, int row, Trail trail, local PixelSums *sums,
                          volatile local uint *group_counts)
 {
     int samples = sample_count(scene->parameters), each = samples_per_share(samples);
