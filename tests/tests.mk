@@ -57,11 +57,14 @@ $(BUILD)/tests/test_oracle: $(BUILD)/tests/support/oracle.o
 $(BUILD)/tests/test_truth $(BUILD)/tests/test_convergence: $(patsubst %,$(BUILD)/tests/support/%.o,coverage polygon)
 $(BUILD)/tests/test_polygon_cut: $(patsubst %,$(BUILD)/tests/support/%.o,polygon random_polygon)
 $(BUILD)/tests/test_scene_polygon: $(patsubst %,$(BUILD)/tests/support/%.o,coverage polygon random_polygon)
-$(patsubst %,$(BUILD)/tests/test_%,oracle pairs truth convergence polygon_cut scene_polygon): LIBS += -lgmp
+$(patsubst %,$(BUILD)/tests/test_%,oracle truth convergence polygon_cut scene_polygon): LIBS += -lgmp
 
 $(patsubst %,$(BUILD)/tests/test_%,backends plain gpu): $(BUILD)/tests/support/near_edge.o
 $(patsubst %,$(BUILD)/tests/test_%,plain gpu gpu_adaptive textbook): $(BUILD)/tests/support/plain_picture.o
 $(patsubst %,$(BUILD)/tests/test_%,backends plain gpu gpu_adaptive textbook): LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread
+
+$(patsubst %,$(BUILD)/tests/test_%,pairs pair_signs): $(BUILD)/tests/support/pair_kernels.o
+$(patsubst %,$(BUILD)/tests/test_%,pairs pair_signs): LIBS = $(LIBRARY) $(LIB_LIBS) -lm -pthread -lgmp
 
 $(BUILD)/tests/test_bvh: $(BUILD)/tests/support/plain_bvh.o
 
