@@ -164,7 +164,7 @@ class NoDouble(ShimTest):
                        for k in range(-9, 10))
         found = [self.run_program("cast", scene, *words, text_in=rays, env=env)[0].decode().splitlines()[1:]
                  for words, env in ((["--backend", "reference"], None), ([], self.environment(SHIM_NO_DOUBLE="1")))]
-        self.assertEqual(len(found[0]), 19)
+        self.assertEqual([len(lines) for lines in found], [19, 19])
         self.assertEqual(sum(line.split(",")[1] == "0" for line in found[0]), 8)
         for expected, line in zip(*found):
             expected, line = expected.split(","), line.split(",")
@@ -179,6 +179,18 @@ class NoDouble(ShimTest):
         for env in (None, self.environment(SHIM_NO_DOUBLE="1")):
             out, _ = self.run_program("cast", "scene.json", text_in="1000.5 .5 1 0 0 -1\n", env=env)
             self.assertEqual(out.splitlines()[1].split(b",")[:2], [b"0", b"0"])
+
+    def test_rays_of_any_length_are_cast(self):
+        rays = "0 0 9 0 0 -1e50\n1e-50 0 9 0 0 -1e-50\n1e11 3 9 -1e11 -3 -9.5\n0 0 9 0 1e-50 -1e-50\n"
+        scene = os.path.join(ROOT, "tests/scenes/grid.json")
+        expected, found = [self.run_program("cast", scene, *words, text_in=rays, env=env)[0].decode().splitlines()[1:]
+                           for words, env in ((["--backend", "reference"], None),
+                                              ([], self.environment(SHIM_NO_DOUBLE="1")))]
+        self.assertEqual([line.split(",")[1] == "-1" for line in expected], [False, False, False, True])
+        for one, other in zip(expected, found):
+            self.assertEqual(one.split(",")[:2], other.split(",")[:2])
+            if one.split(",")[1] != "-1":
+                self.assertAlmostEqual(float(other.split(",")[2]) / float(one.split(",")[2]), 1, delta=1e-12)
 
     def test_double_is_refused_with_a_way_out(self):
         _, err = self.run_program("render", "scene.json", "-p", "double", "-o", "a.png", status=3,

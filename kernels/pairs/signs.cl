@@ -81,6 +81,8 @@ NOINLINE Pair exact_pair_determinant(Difference r, Difference a, Difference b, i
     float terms[PAIR_TERMS];
     int count = 0;
     *exponent = move_into_range(&r) + move_into_range(&a) + move_into_range(&b);
+    if (!isfinite(magnitudes_of(r.high) + magnitudes_of(a.high) + magnitudes_of(b.high)))
+        return pair_of(0); /* a number beyond those of floats: the expansion would grow without end */
     for (int i = 0; i < 8; i++)
         count = add_determinant(terms, count, i & 1 ? &r.low : &r.high, i & 2 ? &a.low : &a.high,
                                 i & 4 ? &b.low : &b.high);
