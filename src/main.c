@@ -7,6 +7,9 @@
 #include <fcntl.h>
 #include <string.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 /* A closed standard stream would give its number to the next file that is opened, and messages would go into the
  * picture. Its place is taken by an end of /dev/null that fails, so that nobody takes lost output for written. */
@@ -55,8 +58,20 @@ static bool run(int argc, char **argv, Error *error)
     return true;
 }
 
+/* Large arrays go back to the system as soon as they are freed. Left to itself, glibc keeps up to 64 MiB of them for
+ * later, at the end of its heap, while a large scene has no use for them any more. */
+static void return_large_arrays(void)
+{
+#ifdef __GLIBC__
+    enum { LARGE = 4 << 20 }; /* bytes: more than a band of pixels, which is used again and again */
+    mallopt(M_MMAP_THRESHOLD, LARGE);
+    mallopt(M_TRIM_THRESHOLD, LARGE);
+#endif
+}
+
 int main(int argc, char **argv)
 {
+    return_large_arrays();
     Error error = {0};
     occupy_standard_streams();
     interrupt_install();

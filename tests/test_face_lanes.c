@@ -98,7 +98,7 @@ static void shapes_should_doubt_huge_coordinates(void)
 
 static Face face_of(const FaceLanes *faces, int l)
 {
-    Face face = {.vertex_count = faces->count};
+    Face face = {.vertex_count = (unsigned short)faces->count};
     for (int k = 0; k < 4; k++) {
         face.vertices[k][0] = (float)faces->x[k][l];
         face.vertices[k][1] = (float)faces->y[k][l];

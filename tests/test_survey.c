@@ -37,7 +37,7 @@ void tearDown(void)
 static void put_face(Vec3 centre, int axis, int one_sided)
 {
     static const float corners[4][2] = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}};
-    face = (Face){.vertex_count = 4, .one_sided = one_sided};
+    face = (Face){.vertex_count = 4, .one_sided = (unsigned short)one_sided};
     for (int k = 0; k < 4; k++) {
         face.vertices[k][0] = (float)centre.x;
         face.vertices[k][1] = (float)centre.y;

@@ -64,12 +64,12 @@ typedef struct ScenePart {
 
 /* A face as traced: 3 or 4 vertices, relative to the scene's centre, rounded once to float32. */
 typedef struct Face {
-    float vertices[4][3]; /* a triangle repeats its vertex 0 in row 3 */
-    int vertex_count;     /* 3 or 4 */
-    int number;           /* the face's number in the file, from 0; the triangles of a split face share it */
-    int object;           /* index into Scene.objects */
-    int material;         /* index into Scene.materials */
-    int one_sided;        /* 1: rays that come from behind the normal pass through */
+    float vertices[4][3];        /* a triangle repeats its vertex 0 in row 3 */
+    int number;                  /* the face's number in the file, from 0; the triangles of a split face share it */
+    int object;                  /* index into Scene.objects */
+    int material;                /* index into Scene.materials */
+    unsigned short vertex_count; /* 3 or 4 */
+    unsigned short one_sided;    /* 1: rays that come from behind the normal pass through */
 } Face;
 
 /* The plane A x + B y + C z + D = 0 of a face, with the unit normal N = (A, B, C); see face_plane. */

@@ -58,7 +58,7 @@ int scene_add(Scene *scene, const Vec3 *corners, int count)
     int i = scene->face_count;
     scene->faces = grown(scene->faces, i, sizeof *scene->faces);
     scene->planes = grown(scene->planes, i, sizeof *scene->planes);
-    Face face = {.vertex_count = count, .number = i};
+    Face face = {.vertex_count = (unsigned short)count, .number = i};
     for (int k = 0; k < 4; k++) {
         Vec3 v = corners[k < count ? k : 0];
         face.vertices[k][0] = (float)v.x;
