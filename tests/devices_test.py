@@ -172,6 +172,17 @@ class NoDouble(ShimTest):
             if expected[1] == "0":
                 self.assertAlmostEqual(float(line[2]) / float(expected[2]), 1, delta=1e-3)
 
+    def test_adaptive_sampling_refines_what_the_reference_does_and_a_little_more(self):
+        for scene in scenes():
+            words = ["render", scene, "-q", "--sampling", "adaptive:4", "--size", "61x47", "--stats=json",
+                     "-o", "a.png"]
+            refined = [json.loads(self.run_program(*words, *more, env=env)[0])["pixels"]["refined"]
+                       for more, env in ((["-b", "reference"], None), ([], self.environment(SHIM_NO_DOUBLE="1")))]
+            with self.subTest(scene=name_of(scene)):
+                self.assertGreaterEqual(refined[1], refined[0])
+                if name_of(scene) not in LOST_BY_PACKETS:
+                    self.assertLessEqual(refined[1], 1.15 * refined[0] + 50)
+
     def test_the_other_kernels_run(self):
         scene = os.path.join(ROOT, "tests/scenes/many_lights.json")
         for sampling, kernel in (("uniform:1", ["--kernel", "plain"]), ("adaptive:4", [])):

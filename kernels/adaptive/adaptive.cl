@@ -47,6 +47,7 @@ static void beam_of_pixels(const World *world, const Tile *tile, int packet, int
                     point(view_value(world, VIEW_UP), view_value(world, VIEW_UP + 1), view_value(world, VIEW_UP + 2)));
     b->size = point_magnitudes(b->apex);
     b->mirrored = false;
+    b->rounded = 0;
     /* From one pixel's middle to the next it is 2 u, or -2 v. */
     wide column = wide_at(tile->columns[packet], lane), row = wide_at(tile->rows[packet], lane);
     wide low[2] = {0, 0}, high[2] = {0, 0};

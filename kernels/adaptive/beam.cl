@@ -27,8 +27,17 @@ typedef struct Beam {
     wide middle[2], extent[2]; /* in units of u and v, all beams lie between c0 + middle -+ extent */
     wide size, width, length;  /* length: no less than that of each lane */
     bool mirrored;
+    int rounded; /* see BEAM_SLACK */
     BeamLanes lanes[PACKETS];
 } Beam;
+
+/* WIDE_SLACK for what is computed from a beam. In double it is enough for all mirrors of a path. In float a mirror adds
+ * its rounding, less than twice as much, and so does a point that a beam is made from, less than once as much. */
+#if REAL_DOUBLE || HAS_DOUBLE
+#define BEAM_SLACK(beam) WIDE_SLACK
+#else
+#define BEAM_SLACK(beam) (WIDE_SLACK * (1 + (beam)->rounded))
+#endif
 
 INLINE Wide wide_times(Point w, WideVec d) { return (Wide)w.x * d.x + (Wide)w.y * d.y + (Wide)w.z * d.z; }
 
@@ -64,6 +73,7 @@ static void beam_mirror(const World *world, Beam *beam, int face)
     wide size = point_magnitudes(beam->apex) + point_magnitudes(corner);
     beam->size = beam->size > size ? beam->size : size;
     beam->mirrored = true;
+    beam->rounded += 2;
     beam_bounds(beam);
 }
 
@@ -90,6 +100,7 @@ NOINLINE void beam_from_point(const World *world, const Beam *beam, int face, Po
     wide sides = point_magnitudes(b->u) + point_magnitudes(b->v);
     b->length = grown * beam->length;
     b->mirrored = false;
+    b->rounded = beam->rounded + 1;
     EACH_PACKET(k) {
         WideVec c = beam->lanes[k].c;
         b->lanes[k].c = wide_add(wide_scale(-wide_times(n, c), wide_point(from_x)), wide_scale((Wide)height, c));

@@ -31,7 +31,7 @@ NOINLINE void beam_edges(const World *world, const Beam *b, int face, int side, 
     for (int k = 0; k < f->count; k++) {
         Point corner = face_point(world, face, k), p = point_sub(corner, b->apex);
         Point e = point_sub(face_point(world, face, k + 1 < f->count ? k + 1 : 0), corner);
-        wide error = WIDE_SLACK * (b->size + point_magnitudes(p));
+        wide error = BEAM_SLACK(b) * (b->size + point_magnitudes(p));
         f->edges[k] = linear_over(b, point_cross(p, e), error * point_magnitudes(e));
     }
 }
@@ -44,7 +44,7 @@ NOINLINE void beam_sides(const World *world, const Beam *b, BeamFace *f)
     for (int k = 0; k < f->count; k++) {
         Point p = point_sub(face_point(world, f->face, k), b->apex);
         Point pv = point_cross(p, b->v), up = point_cross(b->u, p);
-        wide error = WIDE_SLACK * (b->size + point_magnitudes(p));
+        wide error = BEAM_SLACK(b) * (b->size + point_magnitudes(p));
         f->l[k] = sign * (real)point_dot(uv, p);
         Linear across = {sign * (real)pv.x, sign * (real)pv.y, sign * (real)pv.z, 0,
                          (real)(error * b->width), REAL_SLACK * (real)(point_magnitudes(pv) + point_magnitudes(up))};

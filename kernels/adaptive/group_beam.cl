@@ -45,10 +45,10 @@ static GroupBeam group_beam(const World *world, const Beam *b)
     real_row(u, group.u);
     real_row(v, group.v);
     group.side_slack =
-        (real)(12 * REAL_ROUNDING * crossed + 4 * WIDE_SLACK * b->extent[0] * b->extent[1] * b->width * b->length);
+        (real)(12 * REAL_ROUNDING * crossed + 4 * BEAM_SLACK(b) * b->extent[0] * b->extent[1] * b->width * b->length);
     group.moment_slack = (real)(16 * REAL_ROUNDING * (cs + us + vs));
-    group.apex_slack = 2 * group.size * group.moment_slack + (real)(2 * WIDE_SLACK * farthest * b->length);
-    group.height_slack = (real)((8 * REAL_ROUNDING + WIDE_SLACK) * farthest);
+    group.apex_slack = 2 * group.size * group.moment_slack + (real)(2 * BEAM_SLACK(b) * farthest * b->length);
+    group.height_slack = (real)((8 * REAL_ROUNDING + BEAM_SLACK(b)) * farthest);
     return group;
 }
 

@@ -42,7 +42,7 @@ typedef struct BeamPlane {
 NOINLINE BeamPlane beam_plane(const World *world, const Beam *beam, int face)
 {
     Point n = face_normal(world, face), x = point_sub(beam->apex, face_point(world, face, 0));
-    wide height = point_dot(n, x), slack = WIDE_SLACK * (beam->size + point_magnitudes(x));
+    wide height = point_dot(n, x), slack = BEAM_SLACK(beam) * (beam->size + point_magnitudes(x));
     BeamPlane plane = {{0, 0, 0}, WIDE_MAX, 0};
     if (fabs(height) <= slack) {
         wide apex[3] = {beam->apex.x, beam->apex.y, beam->apex.z};
@@ -51,7 +51,7 @@ NOINLINE BeamPlane beam_plane(const World *world, const Beam *beam, int face)
         return plane;
     }
     plane.q = point_scale(1 / height, n);
-    plane.error = point_magnitudes(plane.q) * (WIDE_SLACK + slack / fabs(height));
+    plane.error = point_magnitudes(plane.q) * (BEAM_SLACK(beam) + slack / fabs(height));
     plane.side = height > 0 ? 1 : -1;
     return plane;
 }

@@ -11,7 +11,7 @@
 #if REAL_DOUBLE || HAS_DOUBLE
 #define WIDE_SLACK 0x1p-38
 #else
-#define WIDE_SLACK 0x1p-12f
+#define WIDE_SLACK 0x1p-18f
 #endif
 #if REAL_DOUBLE
 #define REAL_SLACK (real)0
