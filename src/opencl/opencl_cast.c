@@ -1,6 +1,7 @@
 /* The OpenCL backend: casts rays at a scene. */
 #include "opencl/opencl_cast.h"
 
+#include "opencl/opencl_program.h"
 #include "opencl/opencl_upload.h"
 
 #include <math.h>

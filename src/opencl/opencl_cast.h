@@ -2,7 +2,7 @@
 #ifndef RECTRAY_OPENCL_CAST_H
 #define RECTRAY_OPENCL_CAST_H
 
-#include "opencl/opencl_program.h"
+#include "opencl/opencl_session.h"
 #include "scene/scene.h"
 #include "trace/render.h"
 

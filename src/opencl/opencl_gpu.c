@@ -3,6 +3,7 @@
 #include "opencl/opencl_gpu.h"
 
 #include "base/clock.h"
+#include "opencl/opencl_program.h"
 #include "opencl/opencl_status.h"
 #include "trace/adaptive.h"
 

@@ -4,6 +4,7 @@
 #include "base/clock.h"
 #include "opencl/device_scene.h"
 #include "opencl/device_tree.h"
+#include "opencl/opencl_program.h"
 #include "opencl/opencl_status.h"
 #include "trace/accel.h"
 #include "trace/skip.h"

@@ -2,7 +2,7 @@
 #ifndef RECTRAY_OPENCL_UPLOAD_H
 #define RECTRAY_OPENCL_UPLOAD_H
 
-#include "opencl/opencl_program.h"
+#include "opencl/opencl_session.h"
 #include "scene/scene.h"
 
 #include "kernels/shared/layout.h"

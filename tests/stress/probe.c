@@ -2,6 +2,7 @@
 #include "probe.h"
 
 #include "opencl/opencl_cast.h"
+#include "opencl/opencl_program.h"
 #include "opencl/opencl_status.h"
 
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #define RECTRAY_STRESS_PROBE_H
 
 #include "opencl/device_scene.h"
-#include "opencl/opencl_program.h"
+#include "opencl/opencl_session.h"
 
 typedef struct Probe {
     OpenclSession session;
