@@ -31,8 +31,10 @@ static Found search(Scene *scene, const FloatRay *ray, float end, float end_erro
         scene->counts[COUNT_FACE_TESTS] += count;
         for (int i = first; i < first + count; i++) {
             int face = face_in_leaf(scene, i);
+            if (face == ray->from || face == found.face)
+                continue;
             Meeting at = meet_face(scene, &setup, face);
-            if (at.inside == NO || at.high <= 0 || at.low > found.at.high || face == ray->from || face == found.face)
+            if (at.inside == NO || at.high <= 0 || at.low > found.at.high)
                 continue;
             bool is_sure = at.inside == YES && at.low > 0 && (!is_shadow || at.high < end - end_error);
             if (is_sure && at.t < found.at.t) {
