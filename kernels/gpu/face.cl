@@ -76,11 +76,10 @@ INLINE Meeting meet_face(const Scene *scene, const RaySetup *s, int face)
     m.inside = inside_edges_of(s, row, bits, &left);
     if (m.inside == NO)
         return m;
-    float n_x = component(last.xyz, s->x), n_y = component(last.xyz, s->y), n_z = component(last.xyz, s->z);
-    float3 heights = (float3)(n_x * (row[s->x].x - s->origin_x), n_y * (row[s->y].x - s->origin_y),
-                              n_z * (row[s->z].x - s->origin_z));
+    float3 n = turned(last.xyz, s->z), vertex = (float3)(row[s->x].x, row[s->y].x, row[s->z].x);
+    float3 heights = n * (vertex - (float3)(s->origin_x, s->origin_y, s->origin_z));
     float height = heights.x + heights.y + heights.z;
-    float approach = s->along * fma(s->shear_x, n_x, fma(s->shear_y, n_y, n_z));
+    float approach = s->along * fma(s->shear_x, n.x, fma(s->shear_y, n.y, n.z));
     float height_error = 5 * REAL_ROUNDING * sum_of_magnitudes(heights) + s->origin_error;
     float approach_error = s->approach_error;
     float per_approach = 1 / approach;

@@ -134,7 +134,7 @@ INLINE bool trace_path(Scene *scene, FloatRay ray, Trail trail, local float *tot
     float weight = 1, end = INFINITY, end_error = 0;
     int bounces = 0, light = -1; /* that the ray goes to; -1: it is one of the path */
     bool is_lit = false;
-    FloatHit hit;
+    FloatHit hit = {-1};
     for (;;) {
         Found found = search(scene, &ray, end, end_error);
         if (found.answer == UNSURE)

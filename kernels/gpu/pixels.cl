@@ -103,7 +103,7 @@ static void store_colour(global uchar *picture, int pixel, float3 colour)
 #ifdef LINEAR
         ((global float *)picture)[3 * (size_t)pixel + i] = rgb[i];
 #else
-        picture[3 * (size_t)pixel + i] = (uchar)floor(255 * clamp(rgb[i], 0.0f, 1.0f) + 0.5f);
+        picture[3 * (size_t)pixel + i] = (uchar)(255 * clamp(rgb[i], 0.0f, 1.0f) + 0.5f); /* rounded down */
 #endif
 }
 

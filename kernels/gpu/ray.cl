@@ -23,6 +23,7 @@ typedef struct RaySetup {
     float origin_x, origin_y, origin_z, shear_x, shear_y, along; /* the direction is along (shear_x, shear_y, 1) */
     float origin_error, approach_error;                          /* of the origin; of N.R */
     float error, slope; /* a sheared point that is m away is off by less than error + m slope */
+    int from_x, from_y, from_z; /* where a node has the planes of entry: NODE_WIDTH farther if the ray goes backwards */
     float3 per_direction, near_side, far_side; /* of boxes: the ray enters at side * per_direction + near_side */
 } RaySetup;
 
@@ -37,7 +38,13 @@ static float farthest_from(const Scene *scene, float3 point)
 }
 
 /* 1 / a, and a large number for 1 / 0. */
-static float inverse(float a) { return 1 / (fabs(a) > 0x1p-60f ? a : copysign(0x1p-60f, a)); }
+static float3 inverses(float3 a)
+{
+    return 1 / select(copysign((float3)0x1p-60f, a), a, fabs(a) > 0x1p-60f);
+}
+
+/* The components along the axes z + 1, z + 2 and z. */
+static float3 turned(float3 a, int z) { return z == 2 ? a : z == 0 ? a.yzx : a.zxy; }
 
 static RaySetup set_up(const Scene *scene, const FloatRay *ray)
 {
@@ -47,19 +54,23 @@ static RaySetup set_up(const Scene *scene, const FloatRay *ray)
     s.z = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
     s.x = s.z == 2 ? 0 : s.z + 1;
     s.y = s.x == 2 ? 0 : s.x + 1;
-    float along = component(d, s.z), per_along = 1 / along;
-    s.along = along;
+    s.per_direction = inverses(d);
+    float3 origin = turned(o, s.z), direction = turned(d, s.z);
+    float per_along = turned(s.per_direction, s.z).z;
+    s.along = direction.z;
     s.origin_error = 1.75f * ray->origin_error;
     s.approach_error = 1.75f * ray->direction_error + 6 * REAL_ROUNDING;
-    s.origin_x = component(o, s.x);
-    s.origin_y = component(o, s.y);
-    s.origin_z = component(o, s.z);
-    s.shear_x = component(d, s.x) * per_along;
-    s.shear_y = component(d, s.y) * per_along;
+    s.origin_x = origin.x;
+    s.origin_y = origin.y;
+    s.origin_z = origin.z;
+    s.shear_x = direction.x * per_along;
+    s.shear_y = direction.y * per_along;
     float farthest = farthest_from(scene, o);
     s.error = farthest < 0x1p50f ? 2 * ray->origin_error : INFINITY; /* products must not overflow */
     s.slope = 3.5f * ray->direction_error + 7 * REAL_ROUNDING;
-    s.per_direction = (float3)(inverse(d.x), inverse(d.y), inverse(d.z));
+    s.from_x = s.per_direction.x < 0 ? NODE_WIDTH : 0;
+    s.from_y = s.per_direction.y < 0 ? NODE_WIDTH : 0;
+    s.from_z = s.per_direction.z < 0 ? NODE_WIDTH : 0;
     float margin = ray->origin_error + farthest * (2 * ray->direction_error + 8 * REAL_ROUNDING);
     float3 from = -o * s.per_direction, margins = margin * fabs(s.per_direction);
     s.near_side = from - margins;

@@ -39,10 +39,6 @@ def read_source(name):
     return Source(options, name, own_kernels(text))
 
 
-def is_for_gpus(source):
-    return source.kernels[:1] == ["render_float"]
-
-
 def clang():
     """Debian's clang that libclc was made for."""
     return shutil.which("clang-15") or shutil.which("clang")
@@ -77,8 +73,8 @@ def nvidia(program, source, folder):
     if not compile_for("nvptx64-nvidia-nvcl", ["-march=sm_86", "-Xclang", "-target-feature", "-Xclang", "+ptx72"],
                        "nvptx64--nvidiacl.bc", source, ptx):
         return
-    # rectray asks NVIDIA's platform for so few registers
-    limit = ["-maxrregcount", "128"] if is_for_gpus(source) else []
+    # rectray asks NVIDIA's platform for so few registers, in all programs of the kernel for GPUs.
+    limit = ["-maxrregcount", "128"] if program.startswith("gpu") else []
     done = run([os.path.join(FOLDER, "nvidia/ptxas"), "-v", "-arch=sm_86", *limit, ptx, "-o", cubin])
     if done.returncode:
         skip(f"ptxas: {done.stderr.strip().splitlines()[0]}")
