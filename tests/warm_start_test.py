@@ -26,24 +26,17 @@ def checksum(data):
     return value
 
 
-def start(caches, picture, **settings):
-    """What a start with the caches in that folder tells on standard error."""
+def render(caches, name="picture.png", **settings):
+    """The bytes of a picture made with the caches in that folder."""
+    picture = os.path.join(caches, name)
     environment = dict(os.environ, RECTRAY_CACHE_DIR=os.path.join(caches, "rectray"),
                        POCL_CACHE_DIR=os.path.join(caches, "pocl"))
-    for name in ("POCL_WORK_GROUP_SPECIALIZATION", "HWLOC_COMPONENTS"):
-        environment.pop(name, None)
+    environment.pop("POCL_WORK_GROUP_SPECIALIZATION", None)
     environment.update(settings)
     words = [PROGRAM, "render", SCENE, "--size", "64x48", "--sampling", "uniform:1", "--kernel", "plain", "-o", picture]
     run = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
     if run.returncode != 0:
         raise AssertionError(f"exit status {run.returncode}: {run.stderr}")
-    return run.stderr
-
-
-def render(caches, name="picture.png", **settings):
-    """The bytes of a picture made with the caches in that folder."""
-    picture = os.path.join(caches, name)
-    start(caches, picture, **settings)
     with open(picture, "rb") as file:
         return file.read()
 
@@ -110,15 +103,6 @@ class WarmStartTest(unittest.TestCase):
         for settings in ({"POCL_WORK_GROUP_SPECIALIZATION": "1"}, {"POCL_KERNEL_CACHE": "0"}):
             self.assertEqual(render(self.caches, **settings), self.picture)
         self.assertEqual(code_files(self.caches), [])
-
-    def test_processors_should_not_be_asked_one_by_one_where_linux_tells_of_them(self):
-        told = os.path.exists("/sys/devices/system/cpu/cpu0/cache/index0")
-        picture = os.path.join(self.caches, "picture.png")
-        for settings, asked in (({}, not told), ({"HWLOC_COMPONENTS": ""}, True)):
-            steps = start(self.caches, picture, HWLOC_COMPONENTS_VERBOSE="1", **settings)
-            if "component `x86'" not in steps:
-                self.skipTest("the driver does not ask hwloc, or hwloc does not know this processor")
-            self.assertEqual("Enabling discovery component `x86'" in steps, asked, steps)
 
     def test_starts_at_the_same_time_should_not_disturb_one_another(self):
         with concurrent.futures.ThreadPoolExecutor(8) as pool:

@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* A string property cut to the size of `text`; "unknown" when the device does not tell. */
 static void device_text(cl_device_id device, cl_device_info key, char *text, size_t size)
@@ -162,19 +161,10 @@ static void compile_once(void)
     setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
 }
 
-/* PoCL asks the library hwloc about the processors. A part of it, x86, moves to each processor in turn and asks it, and
- * so waits for those that are busy. Where Linux's files tell of caches, they tell all that PoCL wants to know. */
-static void ask_linux_about_processors(void)
-{
-    if (access("/sys/devices/system/cpu/cpu0/cache/index0", F_OK) == 0)
-        setenv("HWLOC_COMPONENTS", "-x86", 0);
-}
-
 bool opencl_find_device(int number, int threads, cl_device_id *device, DeviceInfo *info, Error *error)
 {
     keep_threads_in_place(threads);
     compile_once();
-    ask_linux_about_processors();
     if (threads > 0) {
         char text[16];
         snprintf(text, sizeof text, "%d", threads);
