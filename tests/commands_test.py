@@ -184,6 +184,8 @@ class Render(CommandTest):
 
     @unittest.skipIf(SANITIZED, "a sanitizer takes memory of its own")
     def test_memory_is_told_beforehand(self):
+        if platform() != "Portable Computing Language": # other drivers take more, or less, for themselves
+            self.skipTest("the driver's own memory is counted as PoCL's")
         self.run_program("generate", "city", "--size", "20000", "-o", "city.json")
         words = ["render", "city.json", "--size", "64x48", "-q", "-o", "a.png", "--stats=json"]
         self.run_program(*words) # compiling a kernel takes memory, too
